@@ -12,7 +12,8 @@ fn short(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }
 
-/// A failure of mechanics or solver. A failed step leaves the state as it was, but for the counts of iterations and rejections.
+/// A failure of mechanics or solver. A failed step leaves the state as it was, but for the counts of iterations and
+/// rejections.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Error {
     /// Newton did not reach its tolerance.

@@ -1,7 +1,9 @@
-//! Flexible beams, cables and shafts as FMUs: the ANCF14 beam element, a constrained multibody solver, FMI 2.0 co-simulation.
+//! Flexible beams, cables and shafts as FMUs: the ANCF14 beam element, a constrained multibody solver, FMI 2.0
+//! co-simulation.
 //!
 //! Two halves that do not know each other meet in [`model`]: `math <- mechanics <- solve <- model` and `fmi <- model`;
-//! [`Simulation`] and [`ffi`] (the C ABI) stand on top. ARCHITECTURE.md tells where things live, docs/model-file.md what a model file holds.
+//! [`Simulation`] and [`ffi`] (the C ABI) stand on top. ARCHITECTURE.md tells where things live, docs/model-file.md
+//! what a model file holds.
 //!
 //! [`Simulation`] is the front door: a model file, or its text, that runs.
 //!

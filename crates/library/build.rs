@@ -1,6 +1,7 @@
-//! The file name that the shared library records: programs that link it look for a file of that name. It is delivered as `libancf14.so` and `ancf14.dll`, not by the name of
-//! this package, which rustc from 1.96 on and GNU ld record. The library for x86-64 Linux records none: a program may link the one inside an FMU, which has the name of the
-//! model, by its path.
+//! The file name that the shared library records: programs that link it look for a file of that name. It is delivered
+//! as `libancf14.so` and `ancf14.dll`, not by the name of this package, which rustc from 1.96 on and GNU ld record. The
+//! library for x86-64 Linux records none: a program may link the one inside an FMU, which has the name of the model, by
+//! its path.
 #![allow(clippy::print_stdout, reason = "cargo reads what is printed")]
 
 use std::env::var;

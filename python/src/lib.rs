@@ -1,4 +1,5 @@
-//! The module `ancf14._native`: a simulation as Python sees it, in plain types. The package `ancf14` around it is written in Python.
+//! The module `ancf14._native`: a simulation as Python sees it, in plain types. The package `ancf14` around it is
+//! written in Python.
 
 mod models;
 mod refusal;
@@ -9,8 +10,8 @@ use pyo3::prelude::*;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-/// Runs the command line with its arguments, the name of the program first, and returns the exit code. `pack` looks for the library of FMUs next to the
-/// file `program`.
+/// Runs the command line with its arguments, the name of the program first, and returns the exit code. `pack` looks for
+/// the library of FMUs next to the file `program`.
 #[pyfunction]
 fn command(py: Python<'_>, arguments: Vec<OsString>, program: PathBuf) -> u8 {
     py.detach(|| ancf14_cli::main(arguments, Some(&program)))

@@ -18,7 +18,8 @@ use std::path::PathBuf;
 /// A mode: kind, what it moves most, then angular frequency, growth rate, eigenvalue, modal mass and damping ratio.
 type FoundMode = (&'static str, String, [f64; 5]);
 
-/// Modes; names of the places; the positions of the places; displacements and turns of each mode at each place; warnings.
+/// Modes; names of the places; the positions of the places; displacements and turns of each mode at each place;
+/// warnings.
 pub type FoundModes = (Vec<FoundMode>, Vec<String>, Vec<[f64; 3]>, Vec<[f64; 3]>, Vec<[f64; 3]>, Vec<String>);
 
 /// Natural modes in plain types.

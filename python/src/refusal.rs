@@ -1,4 +1,5 @@
-//! Errors as Python sees them: an exception with a kind, a message and a line, which the package turns into its own classes.
+//! Errors as Python sees them: an exception with a kind, a message and a line, which the package turns into its own
+//! classes.
 
 use ancf14::{Error, Simulation};
 use pyo3::create_exception;

@@ -1,6 +1,7 @@
 //! A whole run, on a thread of its own: the calling thread waits without the GIL, and looks for signals in between.
 //!
-//! A row of results that takes long does not delay Ctrl-C: the calling thread takes the rows so far and leaves; the other thread ends after its row.
+//! A row of results that takes long does not delay Ctrl-C: the calling thread takes the rows so far and leaves; the
+//! other thread ends after its row.
 
 use crate::refusal::{Refusal, place, raised, refusal};
 use ancf14::error::decimal;
@@ -25,7 +26,8 @@ const GRACE: Duration = Duration::from_millis(100);
 /// The stack of the thread, bytes: that of a main thread on Linux.
 const STACK: usize = 8 << 20;
 
-/// What a run leaves: times, s; the values of all outputs, row by row (doubles in the order of bytes of the machine); warnings; the exception that ended it; the page.
+/// What a run leaves: times, s; the values of all outputs, row by row (doubles in the order of bytes of the machine);
+/// warnings; the exception that ended it; the page.
 pub type Outcome = (Py<PyBytes>, Py<PyBytes>, Vec<String>, Option<Py<PyAny>>, Option<String>);
 
 /// What there is so far.

@@ -22,7 +22,8 @@ pub struct Simulation {
     halt: Halt,
 }
 
-/// A variable: name, unit, description, kind, value, bounds, whether it is a whole number. Outputs have no value before the simulation is initialized.
+/// A variable: name, unit, description, kind, value, bounds, whether it is a whole number. Outputs have no value before
+/// the simulation is initialized.
 type Row = (String, String, String, &'static str, Option<f64>, (Option<f64>, Option<f64>), bool);
 
 #[pymethods]
@@ -156,8 +157,9 @@ impl Simulation {
         Ok(())
     }
 
-    /// Runs to the row `last`, or to the end, and takes the simulation away. The inputs called `names` have the values `inputs` from row to row: all of
-    /// the first row, then all of the second one. With `film` there is a page that shows the mechanism move.
+    /// Runs to the row `last`, or to the end, and takes the simulation away. The inputs called `names` have the values
+    /// `inputs` from row to row: all of the first row, then all of the second one. With `film` there is a page that
+    /// shows the mechanism move.
     #[pyo3(signature = (names, inputs, film=false, last=None))]
     fn run(
         &mut self,

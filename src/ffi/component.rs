@@ -56,8 +56,8 @@ impl Host {
         match self {
             Self::Fmi2 { name, logger: Some(logger), environment } => {
                 let message = log::prepare(message);
-                // SAFETY: the host promises at `fmi2Instantiate` that its logger can be called as long as the instance lives;
-                // the texts live until the call returns, and the format asks for no further arguments.
+                // SAFETY: the host promises at `fmi2Instantiate` that its logger can be called as long as the instance
+                // lives; the texts live until the call returns, and the format asks for no further arguments.
                 unsafe { logger(*environment, name.as_ptr(), status.into(), category, message.as_ptr()) }
             }
             Self::Fmi3(Callbacks { log_message: Some(logger), environment, .. }) => {
@@ -76,14 +76,14 @@ impl Callbacks {
         self.intermediate_update.is_some()
     }
 
-    /// Tells the host of a finished internal step; returns whether it wants the communication step to end there. The host may call functions
-    /// of the instance meanwhile: the caller holds no borrow of it.
+    /// Tells the host of a finished internal step; returns whether it wants the communication step to end there. The
+    /// host may call functions of the instance meanwhile: the caller holds no borrow of it.
     pub(super) fn update(&self, progress: Progress) -> bool {
         let Some(update) = self.intermediate_update else { return false };
         let can_return = self.early_return_allowed && !progress.arrived;
         let (mut requested, mut time) = (fmi3False, progress.time);
-        // SAFETY: the host promises at `fmi3InstantiateCoSimulation` that its callback can be called during `fmi3DoStep`; both answers can
-        // be written to.
+        // SAFETY: the host promises at `fmi3InstantiateCoSimulation` that its callback can be called during
+        // `fmi3DoStep`; both answers can be written to.
         unsafe {
             update(
                 self.environment,
@@ -114,7 +114,8 @@ impl<M: Model> Component<M> {
         component
     }
 
-    /// Hands the instance's log lines to the host. FMI 3.0 forbids all but errors where a category is switched off (section 2.3.1).
+    /// Hands the instance's log lines to the host. FMI 3.0 forbids all but errors where a category is switched off
+    /// (section 2.3.1).
     pub(super) fn report(&mut self) {
         for entry in self.instance.take_entries() {
             let is_error = entry.status >= Status::Error;

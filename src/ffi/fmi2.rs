@@ -1,7 +1,7 @@
 //! The functions of fmi2Functions.h for co-simulation, except those on values and derivatives ([`super::fmi2_values`]).
 //!
-//! A live instance, in what follows, comes from `fmi2Instantiate`, was not freed, and is not in use on another thread. NULL
-//! is answered with an error.
+//! A live instance, in what follows, comes from `fmi2Instantiate`, was not freed, and is not in use on another thread.
+//! NULL is answered with an error.
 #![allow(non_snake_case, reason = "the standard's names")]
 
 use std::{
@@ -267,7 +267,8 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
 /// Makes a copy from bytes, over an earlier copy if there is one (section 2.1.8).
 ///
 /// # Safety
-/// `c` is a live instance; `serializedState` has `size` bytes; `FMUstate` points to NULL or to a copy made by this library.
+/// `c` is a live instance; `serializedState` has `size` bytes; `FMUstate` points to NULL or to a copy made by this
+/// library.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     c: fmi2Component,
@@ -398,7 +399,8 @@ pub unsafe extern "C" fn fmi2GetStringStatus(
     }
 }
 
-/// The kind of status a host asks for. The calling table comes first: in a mode that forbids the call, its kind does not matter.
+/// The kind of status a host asks for. The calling table comes first: in a mode that forbids the call, its kind does
+/// not matter.
 fn kind(instance: &Instance<Simulation>, call: Call, s: fmi2StatusKind) -> Result<StatusKind, Error> {
     instance.check(call)?;
     status_kind(s).ok_or(Error::NoSuchStatus { reason: "the standard has the kinds 0 to 3" })

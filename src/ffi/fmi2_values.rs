@@ -1,7 +1,7 @@
 //! The functions of fmi2Functions.h on values and derivatives.
 //!
-//! A live instance, in what follows, comes from `fmi2Instantiate`, was not freed, and is not in use on another thread. NULL
-//! is answered with an error.
+//! A live instance, in what follows, comes from `fmi2Instantiate`, was not freed, and is not in use on another thread.
+//! NULL is answered with an error.
 #![allow(non_snake_case, reason = "the standard's names")]
 
 use super::{

@@ -1,8 +1,9 @@
-//! The functions of fmi3Functions.h for co-simulation, except those on values and derivatives ([`super::fmi3_values`]), on types that no
-//! variable has ([`super::fmi3_other_types`]), and what this library does not offer ([`super::fmi3_absent`]).
+//! The functions of fmi3Functions.h for co-simulation, except those on values and derivatives ([`super::fmi3_values`]),
+//! on types that no variable has ([`super::fmi3_other_types`]), and what this library does not offer
+//! ([`super::fmi3_absent`]).
 //!
-//! A live instance, in what follows, comes from `fmi3InstantiateCoSimulation`, was not freed, and is not in use on another thread. NULL
-//! is answered with an error.
+//! A live instance, in what follows, comes from `fmi3InstantiateCoSimulation`, was not freed, and is not in use on
+//! another thread. NULL is answered with an error.
 #![allow(non_snake_case, reason = "the standard's names")]
 
 use std::{
@@ -65,11 +66,12 @@ pub unsafe extern "C" fn fmi3SetDebugLogging(
     }
 }
 
-/// Loads `resources/model.toml` and makes an instance of it; NULL with a log line if that is not possible (section 2.3.1).
+/// Loads `resources/model.toml` and makes an instance of it; NULL with a log line if that is not possible (section
+/// 2.3.1).
 ///
 /// # Safety
-/// The texts end with a zero byte; `requiredIntermediateVariables` has `nRequiredIntermediateVariables` elements; the functions are NULL or can be
-/// called as long as the instance lives.
+/// The texts end with a zero byte; `requiredIntermediateVariables` has `nRequiredIntermediateVariables` elements; the
+/// functions are NULL or can be called as long as the instance lives.
 #[unsafe(no_mangle)]
 #[allow(unused_variables, clippy::too_many_arguments, reason = "the standard's signature")]
 pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
@@ -248,7 +250,8 @@ pub unsafe extern "C" fn fmi3SerializedFMUStateSize(
 /// Writes a copy as bytes that any process can read (section 2.2.9).
 ///
 /// # Safety
-/// `instance` is a live instance; `FMUState` is a copy made by this library; `serializedState` has room for `size` bytes.
+/// `instance` is a live instance; `FMUState` is a copy made by this library; `serializedState` has room for `size`
+/// bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3SerializeFMUState(
     instance: fmi3Instance,
@@ -268,7 +271,8 @@ pub unsafe extern "C" fn fmi3SerializeFMUState(
 /// Makes a copy from bytes, over an earlier copy if there is one (section 2.2.9).
 ///
 /// # Safety
-/// `instance` is a live instance; `serializedState` has `size` bytes; `FMUState` points to NULL or to a copy made by this library.
+/// `instance` is a live instance; `serializedState` has `size` bytes; `FMUState` points to NULL or to a copy made by
+/// this library.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3DeserializeFMUState(
     instance: fmi3Instance,
@@ -285,8 +289,9 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
     }
 }
 
-/// Computes one communication step, s (section 4.2.1), and tells the host of each internal step if it wants to hear of them: it may set inputs for the
-/// rest of the communication step there. Events and the end of the simulation are never asked for.
+/// Computes one communication step, s (section 4.2.1), and tells the host of each internal step if it wants to hear of
+/// them: it may set inputs for the rest of the communication step there. Events and the end of the simulation are never
+/// asked for.
 ///
 /// # Safety
 /// `instance` is a live instance; the four answers can be written to.
@@ -324,8 +329,8 @@ pub unsafe extern "C" fn fmi3DoStep(
     }
 }
 
-/// Takes the internal steps of a communication step that has begun. Between them nothing is borrowed: the host calls functions of the instance from
-/// its callback.
+/// Takes the internal steps of a communication step that has begun. Between them nothing is borrowed: the host calls
+/// functions of the instance from its callback.
 ///
 /// # Safety
 /// As [`fmi3DoStep`].

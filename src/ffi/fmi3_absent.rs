@@ -1,8 +1,9 @@
-//! The functions of fmi3Functions.h that this library does not offer: those of model exchange, scheduled execution, clocks, events and structural
-//! parameters. Each is an error that says so, and touches nothing. They are exported because hosts look all names up.
+//! The functions of fmi3Functions.h that this library does not offer: those of model exchange, scheduled execution,
+//! clocks, events and structural parameters. Each is an error that says so, and touches nothing. They are exported
+//! because hosts look all names up.
 //!
-//! A live instance, in what follows, comes from `fmi3InstantiateCoSimulation`, was not freed, and is not in use on another thread. NULL
-//! is answered with an error.
+//! A live instance, in what follows, comes from `fmi3InstantiateCoSimulation`, was not freed, and is not in use on
+//! another thread. NULL is answered with an error.
 #![allow(non_snake_case, unused_variables, reason = "the standard's signatures")]
 
 use std::{ffi::CStr, ptr::null_mut};

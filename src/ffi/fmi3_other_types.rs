@@ -1,7 +1,7 @@
 //! The functions of fmi3Functions.h on types that no variable has: an error unless no reference is given.
 //!
-//! A live instance, in what follows, comes from `fmi3InstantiateCoSimulation`, was not freed, and is not in use on another thread. NULL
-//! is answered with an error.
+//! A live instance, in what follows, comes from `fmi3InstantiateCoSimulation`, was not freed, and is not in use on
+//! another thread. NULL is answered with an error.
 #![allow(non_snake_case, unused_variables, reason = "the standard's signatures")]
 
 use super::{fmi3::guard, fmi3_types::*, guard::slice};

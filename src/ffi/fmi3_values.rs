@@ -1,7 +1,7 @@
 //! The functions of fmi3Functions.h on values and derivatives, for the types that variables have: Float64 and Int32.
 //!
-//! A live instance, in what follows, comes from `fmi3InstantiateCoSimulation`, was not freed, and is not in use on another thread. NULL
-//! is answered with an error.
+//! A live instance, in what follows, comes from `fmi3InstantiateCoSimulation`, was not freed, and is not in use on
+//! another thread. NULL is answered with an error.
 #![allow(non_snake_case, reason = "the standard's names")]
 
 use super::{
@@ -150,7 +150,8 @@ pub unsafe extern "C" fn fmi3GetDirectionalDerivative(
     }
 }
 
-/// The transposed product: derivatives of the outputs at the end of the last step, weighted by the seeds, with respect to its inputs (section 2.2.11).
+/// The transposed product: derivatives of the outputs at the end of the last step, weighted by the seeds, with respect
+/// to its inputs (section 2.2.11).
 ///
 /// # Safety
 /// `instance` is a live instance; the arrays have the lengths that are passed.

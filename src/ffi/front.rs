@@ -1,7 +1,8 @@
-//! The library's own functions for programs in C and C++: load a model file, set, advance, read. `docs/programming.md` shows them at work.
+//! The library's own functions for programs in C and C++: load a model file, set, advance, read. `docs/programming.md`
+//! shows them at work.
 //!
-//! Every function keeps the rules that stand at the head of `include/ancf14.h`, which are its readers' "Safety": texts end with a zero byte,
-//! places can be written to, a simulation is used by one thread at a time.
+//! Every function keeps the rules that stand at the head of `include/ancf14.h`, which are its readers' "Safety": texts
+//! end with a zero byte, places can be written to, a simulation is used by one thread at a time.
 #![allow(
     clippy::missing_safety_doc,
     reason = "the rules stand once, at the head of the header that C programmers read"
@@ -28,11 +29,12 @@ pub extern "C" fn ancf14_version() -> *const c_char {
     VERSION.as_ptr().cast()
 }
 
-/// Loads the model file at `path`. `overrides` is NULL, or changes numbers and words of the file as --set of the command line does,
-/// one KEY=VALUE a line: "arm.elements=16\narm.strain=small".
+/// Loads the model file at `path`. `overrides` is NULL, or changes numbers and words of the file as --set of the
+/// command line does, one KEY=VALUE a line: "arm.elements=16\narm.strain=small".
 ///
-/// Returns NULL where the file cannot be read or is wrong; `error` then has the reason, all mistakes of the file with their lines, cut to
-/// `size` bytes, a zero byte included. `error` may be NULL; 4096 bytes are enough for most files. Free the simulation with ancf14_free.
+/// Returns NULL where the file cannot be read or is wrong; `error` then has the reason, all mistakes of the file with
+/// their lines, cut to `size` bytes, a zero byte included. `error` may be NULL; 4096 bytes are enough for most files.
+/// Free the simulation with ancf14_free.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_load_file(
     path: *const c_char,
@@ -44,7 +46,8 @@ pub unsafe extern "C" fn ancf14_load_file(
     unsafe { load(overrides, error, size, |overrides| Ok(Simulation::open_with(text(path, "path")?, overrides)?)) }
 }
 
-/// Loads a model from memory: `model` is the text of a model file, `name` what messages call it. All else is as in ancf14_load_file.
+/// Loads a model from memory: `model` is the text of a model file, `name` what messages call it. All else is as in
+/// ancf14_load_file.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_load_text(
     name: *const c_char,
@@ -68,16 +71,17 @@ pub unsafe extern "C" fn ancf14_free(simulation: *mut ancf14_simulation) {
     let _ = caught(|| drop(unsafe { live::SIMULATIONS.take_back::<Front>(simulation.cast()) }));
 }
 
-/// The reason why the last failed call with this simulation failed: a sentence with numbers that says what to do. It is empty if no call
-/// has failed, and never NULL. It is valid until the next call that fails.
+/// The reason why the last failed call with this simulation failed: a sentence with numbers that says what to do. It is
+/// empty if no call has failed, and never NULL. It is valid until the next call that fails.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_last_error(simulation: *mut ancf14_simulation) -> *const c_char {
     // SAFETY: the rules at the head of the header.
     unsafe { ask(simulation, NO_HANDLE.as_ptr(), |front| Ok(front.error.as_ptr())) }
 }
 
-/// The oldest warning that was not fetched yet, or NULL if there is none. A warning is a sentence about results that should not be
-/// trusted, or about a model that is legal but probably not what was meant. It is valid until the next call of this function.
+/// The oldest warning that was not fetched yet, or NULL if there is none. A warning is a sentence about results that
+/// should not be trusted, or about a model that is legal but probably not what was meant. It is valid until the next
+/// call of this function.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_next_warning(simulation: *mut ancf14_simulation) -> *const c_char {
     // SAFETY: the rules at the head of the header.
@@ -91,8 +95,8 @@ pub unsafe extern "C" fn ancf14_variable_count(simulation: *mut ancf14_simulatio
     unsafe { ask(simulation, -1, |front| Ok(number(front.texts.len()))) }
 }
 
-/// The number of the variable called `name`, for instance `tip.displacement[3]`; -1: there is none, and ancf14_last_error suggests the
-/// nearest name. The numbers of a model file do not change.
+/// The number of the variable called `name`, for instance `tip.displacement[3]`; -1: there is none, and
+/// ancf14_last_error suggests the nearest name. The numbers of a model file do not change.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_find(simulation: *mut ancf14_simulation, name: *const c_char) -> c_int {
     // SAFETY: the rules at the head of the header.
@@ -106,7 +110,8 @@ pub unsafe extern "C" fn ancf14_variable_name(simulation: *mut ancf14_simulation
     unsafe { ask(simulation, null(), |front| Ok(front.texts_of(variable)?[0].as_ptr())) }
 }
 
-/// The SI unit of a variable, "N.m" or "rad/s"; empty: it has none; NULL: there is no such variable. It is valid as long as the simulation.
+/// The SI unit of a variable, "N.m" or "rad/s"; empty: it has none; NULL: there is no such variable. It is valid as
+/// long as the simulation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_variable_unit(simulation: *mut ancf14_simulation, variable: c_int) -> *const c_char {
     // SAFETY: the rules at the head of the header.
@@ -152,8 +157,8 @@ pub unsafe extern "C" fn ancf14_get(
     }
 }
 
-/// Sets a variable: a parameter before ancf14_initialize, a tunable parameter or an input at any time. An input keeps its value until it
-/// is set again. A value that is refused leaves the old one.
+/// Sets a variable: a parameter before ancf14_initialize, a tunable parameter or an input at any time. An input keeps
+/// its value until it is set again. A value that is refused leaves the old one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_set(simulation: *mut ancf14_simulation, variable: c_int, value: f64) -> ancf14_status {
     // SAFETY: the rules at the head of the header.
@@ -165,23 +170,24 @@ pub unsafe extern "C" fn ancf14_set(simulation: *mut ancf14_simulation, variable
     }
 }
 
-/// Builds the mechanism from the parameters as set, and finds its initial state, at t = 0 or at the time of the state that the model begins with. After a failure other parameters can be tried.
+/// Builds the mechanism from the parameters as set, and finds its initial state, at t = 0 or at the time of the state
+/// that the model begins with. After a failure other parameters can be tried.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_initialize(simulation: *mut ancf14_simulation) -> ancf14_status {
     // SAFETY: the rules at the head of the header.
     unsafe { guard(simulation, |front| Ok(front.simulation.initialize()?)) }
 }
 
-/// Advances to `time`, s, in the internal steps of the model file. Times that are multiples of its simulation.step give the bits of
-/// `ancf14 run`; compute them as k * step, not as a running sum.
+/// Advances to `time`, s, in the internal steps of the model file. Times that are multiples of its simulation.step give
+/// the bits of `ancf14 run`; compute them as k * step, not as a running sum.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_advance(simulation: *mut ancf14_simulation, time: f64) -> ancf14_status {
     // SAFETY: the rules at the head of the header.
     unsafe { guard(simulation, |front| Ok(front.simulation.advance(time)?)) }
 }
 
-/// Ends the run, so that ancf14_next_warning has those on the run as a whole: how far results are off because of the length of the steps.
-/// Values can still be read.
+/// Ends the run, so that ancf14_next_warning has those on the run as a whole: how far results are off because of the
+/// length of the steps. Values can still be read.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_finish(simulation: *mut ancf14_simulation) -> ancf14_status {
     // SAFETY: the rules at the head of the header.
@@ -202,7 +208,8 @@ pub unsafe extern "C" fn ancf14_time(simulation: *mut ancf14_simulation) -> f64 
     unsafe { ask(simulation, f64::NAN, |front| Ok(front.simulation.time())) }
 }
 
-/// The time at which a run ends by the model file, s; NaN if the handle is not a live simulation. Nothing keeps a program from advancing further.
+/// The time at which a run ends by the model file, s; NaN if the handle is not a live simulation. Nothing keeps a
+/// program from advancing further.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_stop_time(simulation: *mut ancf14_simulation) -> f64 {
     // SAFETY: the rules at the head of the header.
@@ -216,15 +223,16 @@ pub unsafe extern "C" fn ancf14_output_step(simulation: *mut ancf14_simulation) 
     unsafe { ask(simulation, f64::NAN, |front| Ok(front.simulation.output_step())) }
 }
 
-/// Copies all that changes: parameters, inputs, time and motion; NULL where that is not possible. Free the copy with ancf14_free_state.
+/// Copies all that changes: parameters, inputs, time and motion; NULL where that is not possible. Free the copy with
+/// ancf14_free_state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_save(simulation: *mut ancf14_simulation) -> *mut ancf14_state {
     // SAFETY: the rules at the head of the header.
     unsafe { ask(simulation, null_mut(), |front| Ok(live::SAVED.hand_out(front.simulation.save()?).cast())) }
 }
 
-/// Goes back to a copy, also after a failed step. The copy stays; it may come from another simulation of the same model with the same
-/// overrides. What follows has the same bits each time.
+/// Goes back to a copy, also after a failed step. The copy stays; it may come from another simulation of the same model
+/// with the same overrides. What follows has the same bits each time.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn ancf14_restore(simulation: *mut ancf14_simulation, state: *mut ancf14_state) -> ancf14_status {
     // SAFETY: all handles of that list are of this type, and the rules at the head of the header.

@@ -98,8 +98,8 @@ pub(super) fn place(variable: i32) -> usize {
     usize::try_from(variable).unwrap_or(usize::MAX)
 }
 
-/// Runs `body` on the simulation behind a handle; an error becomes a status and the sentence of `ancf14_last_error`. A panic makes the
-/// simulation unusable.
+/// Runs `body` on the simulation behind a handle; an error becomes a status and the sentence of `ancf14_last_error`. A
+/// panic makes the simulation unusable.
 ///
 /// # Safety
 /// A live `handle` is not in use elsewhere.

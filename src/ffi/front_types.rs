@@ -21,7 +21,8 @@ pub struct ancf14_state {
 pub enum ancf14_status {
     /// The call succeeded.
     ANCF14_OK,
-    /// The simulation, or the state, is NULL, was freed, or is another pointer; or the state belongs to another model. Nothing was touched.
+    /// The simulation, or the state, is NULL, was freed, or is another pointer; or the state belongs to another model.
+    /// Nothing was touched.
     ANCF14_BAD_HANDLE,
     /// Another argument is NULL where an address is needed, or is not UTF-8 text.
     ANCF14_BAD_ARGUMENT,

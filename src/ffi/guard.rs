@@ -34,8 +34,8 @@ pub unsafe fn guard<M: Model>(
 }
 
 /// Runs `body` on the instance behind a handle. An error goes to the log, with call and mode in front, and becomes a
-/// status; a panic makes the instance unusable, is logged, and becomes [`Status::Fatal`]. A handle that is none, freed already, or of the other
-/// version of the standard, is [`Status::Error`].
+/// status; a panic makes the instance unusable, is logged, and becomes [`Status::Fatal`]. A handle that is none, freed
+/// already, or of the other version of the standard, is [`Status::Error`].
 ///
 /// # Safety
 /// A live `handle` is from [`Component::into_handle`] with the same model type, and not in use elsewhere.
@@ -110,7 +110,8 @@ fn answer<M: Model>(
     }
 }
 
-/// Gives a component back; a handle that is not live is left alone. Works after a panic too; a panic on the way leaks the rest.
+/// Gives a component back; a handle that is not live is left alone. Works after a panic too; a panic on the way leaks
+/// the rest.
 ///
 /// # Safety
 /// As [`guard`].

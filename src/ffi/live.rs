@@ -1,8 +1,8 @@
 //! Which handles a host may use: a list of those that were handed out and not given back.
 //!
-//! A handle is an address. Whoever passes one that is freed already, or of another library, gets an error instead of whatever is at that
-//! address now. Entries are few and calls are long, so that a sorted list behind one lock will do. A list that has become empty holds no
-//! memory: a library that is unloaded leaves nothing behind.
+//! A handle is an address. Whoever passes one that is freed already, or of another library, gets an error instead of
+//! whatever is at that address now. Entries are few and calls are long, so that a sorted list behind one lock will do.
+//! A list that has become empty holds no memory: a library that is unloaded leaves nothing behind.
 
 use std::{
     ffi::c_void,

@@ -1,14 +1,15 @@
 //! The variables of FMI 3.0: rows of the variable table that are elements of one array become one variable.
 //!
-//! The table has a row per element, `tip.force[1]` to `tip.force[3]` or `arm.strain[1,1]` to `arm.strain[9,3]`. An array is named without the index, and its value
-//! reference is that of its first element: a variable has the same reference in FMI 2.0 and 3.0.
+//! The table has a row per element, `tip.force[1]` to `tip.force[3]` or `arm.strain[1,1]` to `arm.strain[9,3]`. An
+//! array is named without the index, and its value reference is that of its first element: a variable has the same
+//! reference in FMI 2.0 and 3.0.
 
 use std::iter;
 
 use super::variable::{Causality, Variable};
 
-/// Parameters and inputs whose elements are fewer stay scalars: vectors have three components, and where two of them are parameters the third
-/// is an expression.
+/// Parameters and inputs whose elements are fewer stay scalars: vectors have three components, and where two of them
+/// are parameters the third is an expression.
 const FEWEST_GIVEN: usize = 3;
 
 /// A variable of FMI 3.0: a scalar or an array.

@@ -13,8 +13,9 @@ use super::{
 /// The text of the header. Every name in it begins with `prefix`, usually the model identifier.
 ///
 /// It stands alone: integers and texts only, for use with `ancf14.h` or with the standard's own headers. The macros
-/// `prefix_REAL_OUTPUTS(X)` and `prefix_INTEGER_OUTPUTS(X)` expand `X(value reference, name, unit)` for each output, `prefix_FLOAT64_OUTPUTS(X)` expands
-/// `X(value reference, name, unit, rows, columns)` for each output of FMI 3.0, arrays among them.
+/// `prefix_REAL_OUTPUTS(X)` and `prefix_INTEGER_OUTPUTS(X)` expand `X(value reference, name, unit)` for each output,
+/// `prefix_FLOAT64_OUTPUTS(X)` expands `X(value reference, name, unit, rows, columns)` for each output of FMI 3.0,
+/// arrays among them.
 ///
 /// # Errors
 /// The prefix is not a C identifier.

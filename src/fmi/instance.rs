@@ -166,8 +166,8 @@ impl<M: Model> Instance<M> {
         std::mem::take(&mut self.entries)
     }
 
-    /// What a call that succeeded returns: a warning only where the host asked for something odd. What the model warns of goes to
-    /// the log alone, since many hosts end a run at any status but `fmi2OK`.
+    /// What a call that succeeded returns: a warning only where the host asked for something odd. What the model warns
+    /// of goes to the log alone, since many hosts end a run at any status but `fmi2OK`.
     pub fn take_status(&mut self) -> Status {
         std::mem::replace(&mut self.status, Status::Ok)
     }
@@ -238,7 +238,8 @@ impl<M: Model> Instance<M> {
     /// Enters Initialization Mode (section 2.1.6).
     ///
     /// # Errors
-    /// The mode does not allow it, or the parameters as set do not make a model: the instance stays as it is, for others to be set.
+    /// The mode does not allow it, or the parameters as set do not make a model: the instance stays as it is, for
+    /// others to be set.
     pub fn enter_initialization_mode(&mut self) -> Result<(), Error> {
         self.check(Call::EnterInitializationMode)?;
         self.model.check()?;
@@ -288,8 +289,8 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// Advances from `time` by `step`, s (section 4.2.2). Never discarded: the model halves its own steps. The last step of a host that
-    /// adds up its time may be round-off; such a step is done at once.
+    /// Advances from `time` by `step`, s (section 4.2.2). Never discarded: the model halves its own steps. The last
+    /// step of a host that adds up its time may be round-off; such a step is done at once.
     ///
     /// # Errors
     /// The mode does not allow it, or the numbers do not fit (nothing happened); or the model fails on the way: then
@@ -333,7 +334,8 @@ impl<M: Model> Instance<M> {
         let own = self.model.time();
         let rounding = TIME_TOLERANCE * own.abs().max(time.abs()).max(step);
         let end = time + step;
-        // False for NaN; any difference is small beside an infinite time. The model lags behind by what it has left to the next step.
+        // False for NaN; any difference is small beside an infinite time. The model lags behind by what it has left to
+        // the next step.
         let same_time = time.is_finite() && (time - own).abs() <= rounding.max(self.model.shortest_step());
         if !same_time {
             return Err(Error::WrongTime { given: time, own });

@@ -1,5 +1,5 @@
-//! The modes of a co-simulation unit, and which call is legal in which mode: the table of FMI 2.0 (section 4.2.4) is here, that of FMI 3.0
-//! in [`fmi3`].
+//! The modes of a co-simulation unit, and which call is legal in which mode: the table of FMI 2.0 (section 4.2.4) is
+//! here, that of FMI 3.0 in [`fmi3`].
 //!
 //! Steps are synchronous and never discarded, so the modes stepInProgress, stepFailed and stepCanceled of FMI 2.0 do
 //! not occur.

@@ -1,4 +1,5 @@
-//! Where things are in an unpacked FMU: names of files, and the resource location of `fmi2Instantiate` (FMI 2.0, section 2.1.5) as a directory.
+//! Where things are in an unpacked FMU: names of files, and the resource location of `fmi2Instantiate` (FMI 2.0,
+//! section 2.1.5) as a directory.
 //!
 //! The standard wants a URI; hosts pass `file:///p`, `file:/p`, `file://localhost/p`, four slashes or a bare path, with
 //! or without a final slash. URIs are percent-decoded, once; a bare path is taken literally.

@@ -79,7 +79,8 @@ impl Switch {
         Self { on, selected: [true; CATEGORIES.len()] }
     }
 
-    /// Switches the named categories on or off; none named means all (FMI 2.0, section 2.1.5). Gives back the unknown names.
+    /// Switches the named categories on or off; none named means all (FMI 2.0, section 2.1.5). Gives back the unknown
+    /// names.
     pub fn select<'a>(&mut self, on: bool, names: &[&'a str]) -> Vec<&'a str> {
         *self = Self::new(on);
         if names.is_empty() || names.contains(&ALL) {
@@ -89,7 +90,8 @@ impl Switch {
         names.iter().copied().filter(|name| CATEGORIES.iter().all(|category| category.name() != *name)).collect()
     }
 
-    /// Switches the named categories on or off and leaves the others; none named means all (FMI 3.0, section 2.3.1). Gives back the unknown names.
+    /// Switches the named categories on or off and leaves the others; none named means all (FMI 3.0, section 2.3.1).
+    /// Gives back the unknown names.
     pub fn turn<'a>(&mut self, on: bool, names: &[&'a str]) -> Vec<&'a str> {
         if names.is_empty() {
             *self = Self::new(on);
@@ -110,13 +112,15 @@ impl Switch {
     }
 }
 
-/// The message as a printf format without conversions, as FMI 2.0 takes it: every `%` and `#` doubled, no NUL, no final newline, and at most
+/// The message as a printf format without conversions, as FMI 2.0 takes it: every `%` and `#` doubled, no NUL, no final
+/// newline, and at most
 /// [`LONGEST`] bytes, cut between characters and never between the two halves of a doubled one.
 pub fn prepare(message: &str) -> CString {
     double(message, &['%', '#'])
 }
 
-/// The message as FMI 3.0 takes it: as [`prepare`], but only `#` is doubled, which stands for value references otherwise.
+/// The message as FMI 3.0 takes it: as [`prepare`], but only `#` is doubled, which stands for value references
+/// otherwise.
 pub fn prepare_fmi3(message: &str) -> CString {
     double(message, &['#'])
 }

@@ -1,7 +1,8 @@
 //! The FMI half, 2.0 and 3.0 for co-simulation: variables, calling table, instance, C header. No mechanics.
 //!
 //! [`Model`] is the whole of what this half asks of the other one. What a host calls goes to an
-//! [`instance::Instance`]. A packed unit is made from [`About`] and the variable table, by the package of `crates/pack`.
+//! [`instance::Instance`]. A packed unit is made from [`About`] and the variable table, by the package of
+//! `crates/pack`.
 
 pub mod arrays;
 pub mod error;
@@ -129,22 +130,26 @@ pub trait Model: Sized {
     /// The variable table: a variable's value reference is its place in this slice.
     fn variables(&self) -> &[Variable];
 
-    /// The value of variable `reference` (a legal place in the table): after `initialize` as of the last accepted time, before it the start value.
+    /// The value of variable `reference` (a legal place in the table): after `initialize` as of the last accepted time,
+    /// before it the start value.
     fn value(&self, reference: usize) -> Value;
 
-    /// Sets variable `reference`, whose causality and variability the caller has checked; the type and range are checked here.
+    /// Sets variable `reference`, whose causality and variability the caller has checked; the type and range are
+    /// checked here.
     ///
     /// # Errors
     /// The value is out of range, of the wrong type, or not finite; the model is as it was.
     fn set_value(&mut self, reference: usize, value: Value) -> Result<(), Failure>;
 
-    /// Sets the relative accuracy that a host asks for (a positive number), before [`Self::initialize`]; returns the one that the model takes, the nearest that it knows. None: it has no use for one.
+    /// Sets the relative accuracy that a host asks for (a positive number), before [`Self::initialize`]; returns the
+    /// one that the model takes, the nearest that it knows. None: it has no use for one.
     fn set_tolerance(&mut self, tolerance: f64) -> Option<f64>;
 
     /// Sets the derivative by time of input `reference` (a finite number) for the next `advance` only.
     fn set_input_derivative(&mut self, reference: usize, derivative: f64);
 
-    /// Whether the parameters as set make a model: that each is within its range is known since it was set, not what follows from them.
+    /// Whether the parameters as set make a model: that each is within its range is known since it was set, not what
+    /// follows from them.
     ///
     /// # Errors
     /// They do not.
@@ -159,8 +164,8 @@ pub trait Model: Sized {
     /// The time that the model has reached, s.
     fn time(&self) -> f64;
 
-    /// The shortest step that the model takes, s. An end that is nearer to the own time is left to the next step: nothing moves, and the
-    /// own time stays.
+    /// The shortest step that the model takes, s. An end that is nearer to the own time is left to the next step:
+    /// nothing moves, and the own time stays.
     fn shortest_step(&self) -> f64;
 
     /// Whether a step to `end`, s, can be tried: what is refused here has no consequences.
@@ -169,15 +174,16 @@ pub trait Model: Sized {
     /// It would be too many internal steps, or an input has a value that means nothing.
     fn accept_step(&self, end: f64) -> Result<(), Failure>;
 
-    /// Advances from the own time to `end`, s; the model's own grid decides the internal steps. An end that is not beyond the own time by
+    /// Advances from the own time to `end`, s; the model's own grid decides the internal steps. An end that is not
+    /// beyond the own time by
     /// [`Self::shortest_step`] or more moves nothing. Either way the derivatives of the inputs are used up.
     ///
     /// # Errors
     /// A step that does not converge even at the smallest internal step; the model is as it was before the call.
     fn advance(&mut self, end: f64) -> Result<(), Failure>;
 
-    /// Begins the step to `end`, s, that [`Self::advance`] takes at once, to be taken part by part with the same results: [`Self::take_part`]
-    /// until it says that the end is reached, or [`Self::end_step`] before.
+    /// Begins the step to `end`, s, that [`Self::advance`] takes at once, to be taken part by part with the same
+    /// results: [`Self::take_part`] until it says that the end is reached, or [`Self::end_step`] before.
     ///
     /// # Errors
     /// As [`Self::advance`].
@@ -207,7 +213,8 @@ pub trait Model: Sized {
     /// It is no output.
     fn output_derivative(&mut self, reference: usize) -> Result<f64, Failure>;
 
-    /// The derivative of output `output`, a Real, at the end of the last step by input `input` of that step; 0 where there is no such step.
+    /// The derivative of output `output`, a Real, at the end of the last step by input `input` of that step; 0 where
+    /// there is no such step.
     ///
     /// # Errors
     /// The step cannot be differentiated.
@@ -236,10 +243,12 @@ pub trait Model: Sized {
     /// Goes back to a snapshot of this model.
     fn restore(&mut self, snapshot: &Self::Snapshot);
 
-    /// Writes a snapshot of this model behind `bytes`, such that [`Self::read`] of the same model in any process reads it.
+    /// Writes a snapshot of this model behind `bytes`, such that [`Self::read`] of the same model in any process reads
+    /// it.
     fn write(&self, snapshot: &Self::Snapshot, bytes: Vec<u8>) -> Vec<u8>;
 
-    /// The snapshot that [`Self::write`] wrote. Any bytes may come; those that were written are undamaged, and of a model with this guid.
+    /// The snapshot that [`Self::write`] wrote. Any bytes may come; those that were written are undamaged, and of a
+    /// model with this guid.
     ///
     /// # Errors
     /// They are not a snapshot of this model.

@@ -141,7 +141,8 @@ pub fn natural(label: &str) -> &'static [&'static str] {
 }
 
 impl Quantity {
-    /// A quantity by the name of its type and its coherent unit label; an unknown label keeps its text, without exponents.
+    /// A quantity by the name of its type and its coherent unit label; an unknown label keeps its text, without
+    /// exponents.
     pub fn new(name: &'static str, unit: &str) -> Self {
         let unit = if unit == "1" { "" } else { unit };
         let exponents = if unit.is_empty() { None } else { exponents(unit) };

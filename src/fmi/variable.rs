@@ -25,8 +25,8 @@ pub struct Variable {
     pub nominal: Option<f64>,
     /// Unit that a host shows by default: `mm`, `deg`, `kN`, ...; none: the SI unit.
     pub display_unit: Option<String>,
-    /// Where the initialization calculates it: the inputs and parameters that it is found from, or more, by value references, ascending;
-    /// none: all of them.
+    /// Where the initialization calculates it: the inputs and parameters that it is found from, or more, by value
+    /// references, ascending; none: all of them.
     pub found_from: Option<Vec<usize>>,
 }
 

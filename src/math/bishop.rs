@@ -1,8 +1,10 @@
-//! Frames along a curve: Bishop's, which does not twist, and beside it the one of Serret and Frenet, which is not always there.
+//! Frames along a curve: Bishop's, which does not twist, and beside it the one of Serret and Frenet, which is not
+//! always there.
 //!
-//! Bishop's frame is carried by one minimal rotation (MECHANICS 2.2), which needs neither a branch nor an arccosine, and then turned by what
-//! that rotation twists on the way, `−∫ω ds` with `ω = −t_0·(r' × r'')/(|r'|² (1 + t_0·t))` (2.11): the solid angle between the path
-//! of the tangent and the great circle that the rotation takes. The integral is good to `ROUND_OFF`, whatever the number of steps.
+//! Bishop's frame is carried by one minimal rotation (MECHANICS 2.2), which needs neither a branch nor an arccosine,
+//! and then turned by what that rotation twists on the way, `−∫ω ds` with `ω = −t_0·(r' × r'')/(|r'|² (1 + t_0·t))`
+//! (2.11): the solid angle between the path of the tangent and the great circle that the rotation takes. The integral
+//! is good to `ROUND_OFF`, whatever the number of steps.
 
 use super::Vec3;
 use super::curve::Curve;
@@ -33,8 +35,9 @@ fn stretch(curve: &Curve, from: f64, to: f64, normal: &Vec3, depth: u32) -> Vec3
     (u * cos + tangent.cross(&u) * sin).normalize()
 }
 
-/// `−∫ω ds`, rad: the angle about the tangent at `to` from a normal that one minimal rotation brings there from `from` to the same
-/// normal carried without twist. Where pieces of the curve meet at an angle, the normal goes round the corner by a minimal rotation.
+/// `−∫ω ds`, rad: the angle about the tangent at `to` from a normal that one minimal rotation brings there from `from`
+/// to the same normal carried without twist. Where pieces of the curve meet at an angle, the normal goes round the
+/// corner by a minimal rotation.
 ///
 /// In between the tangent stays less than half a turn from where it begins.
 pub fn turn(curve: &Curve, from: f64, to: f64) -> f64 {
@@ -110,8 +113,9 @@ mod tests {
         Jet::constant(value)
     }
 
-    /// Against Frenet's frame Bishop's turns back by the integral of the torsion, `b s/(a² + b²)` along a helix: 2.5 turns, one
-    /// call or many, to round-off. The paper's chain of rotations through points errs by the square of their distance.
+    /// Against Frenet's frame Bishop's turns back by the integral of the torsion, `b s/(a² + b²)` along a helix: 2.5
+    /// turns, one call or many, to round-off. The paper's chain of rotations through points errs by the square of their
+    /// distance.
     #[test]
     fn bishop_turns_against_frenet_by_the_torsion() {
         let (a, b) = (0.7, 0.4);
@@ -163,7 +167,8 @@ mod tests {
         assert!((carried(&cubic, -1.0, 1.0, &start.normal) + end.normal).norm() < 1e-14);
     }
 
-    /// Round a corner between two pieces the frame goes by a minimal rotation: one call over the corner, or one to it and one from it.
+    /// Round a corner between two pieces the frame goes by a minimal rotation: one call over the corner, or one to it
+    /// and one from it.
     #[test]
     fn bishop_goes_round_corners() {
         let coordinates = |s: f64| {

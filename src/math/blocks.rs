@@ -13,7 +13,8 @@ pub struct Block {
     pub columns: usize,
 }
 
-/// A sum of dense blocks, which may overlap. Values are column-major within a block, blocks in the order of their pushing.
+/// A sum of dense blocks, which may overlap. Values are column-major within a block, blocks in the order of their
+/// pushing.
 #[derive(Clone, Debug, Default)]
 pub struct Blocks {
     layout: Vec<Block>,
@@ -32,7 +33,8 @@ impl Blocks {
         self.layout.len() - 1
     }
 
-    /// Adds a block of zeros, and behind it the place of its transpose, whose values are others: [`Self::symmetric_part`] takes the mean of both.
+    /// Adds a block of zeros, and behind it the place of its transpose, whose values are others:
+    /// [`Self::symmetric_part`] takes the mean of both.
     pub fn push_mirrored(&mut self, block: Block) {
         let Block { row, column, rows, columns } = block;
         let number = self.push(block);
@@ -90,7 +92,8 @@ impl Blocks {
         }
     }
 
-    /// The symmetric part, where blocks off the diagonal come in pairs that are each other's transposes, but for mirrored ones.
+    /// The symmetric part, where blocks off the diagonal come in pairs that are each other's transposes, but for
+    /// mirrored ones.
     #[must_use]
     pub fn symmetric_part(&self) -> Self {
         let mut sum = self.clone();
@@ -123,7 +126,8 @@ impl Blocks {
         self.terms(a, b, |left, value, right| left * value * right)
     }
 
-    /// `|vector|ᵀ |self| |vector|` of the leading part: what the form would be if nothing canceled, the measure of its round-off.
+    /// `|vector|ᵀ |self| |vector|` of the leading part: what the form would be if nothing canceled, the measure of its
+    /// round-off.
     pub fn magnitude(&self, vector: &[f64]) -> f64 {
         self.terms(vector, vector, |left, value, right| (left * value * right).abs())
     }

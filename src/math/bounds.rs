@@ -1,6 +1,8 @@
-//! Bounds of a function and its first two derivatives over an interval of its variable: interval arithmetic, carried through every operation as [`Jet`] carries values.
+//! Bounds of a function and its first two derivatives over an interval of its variable: interval arithmetic, carried
+//! through every operation as [`Jet`] carries values.
 //!
-//! The ends of the bounds are rounded as the function itself is: where the function is a chain of monotone operations, they enclose the computed values, not only the exact ones.
+//! The ends of the bounds are rounded as the function itself is: where the function is a chain of monotone operations,
+//! they enclose the computed values, not only the exact ones.
 
 use super::jet::Jet;
 use super::range::Range;
@@ -88,7 +90,8 @@ impl Bounds {
         }
     }
 
-    /// A truth, 1 or 0, of two numbers; none: it is not the same over the whole interval. Two smooth numbers that may be equal and never cross are taken as unequal.
+    /// A truth, 1 or 0, of two numbers; none: it is not the same over the whole interval. Two smooth numbers that may
+    /// be equal and never cross are taken as unequal.
     fn truth(outcome: Option<bool>, a: Self, b: Self) -> Self {
         match outcome {
             Some(holds) => Self::constant(f64::from(u8::from(holds))),
@@ -131,7 +134,8 @@ impl Bounds {
         Self { value: Range { low: 1.0 - high, high: 1.0 - low }, ..self }
     }
 
-    /// Whether it is not 0; none: it is not the same over the whole interval. Instants at which a smooth number is 0 do not count.
+    /// Whether it is not 0; none: it is not the same over the whole interval. Instants at which a smooth number is 0 do
+    /// not count.
     fn is_true(self) -> Option<bool> {
         let Range { low, high } = self.value;
         let passes = low < 0.0 && high > 0.0 && !self.switches && !self.follows;

@@ -154,7 +154,8 @@ mod tests {
         Jet::constant(value)
     }
 
-    /// Helix: the closed form. Ellipse with the half-axes 2 and 1: `8 E(3/4)`, the complete elliptic integral to all digits.
+    /// Helix: the closed form. Ellipse with the half-axes 2 and 1: `8 E(3/4)`, the complete elliptic integral to all
+    /// digits.
     #[test]
     fn arc_lengths_are_exact_to_round_off() {
         let helix = curve([0.0, 3.0], |s| [number(0.3) * s, (number(TAU) * s).cos(), (number(TAU) * s).sin()]);

@@ -1,7 +1,8 @@
-//! What keeps a curve from being the line of a beam: it is not finite, stands still, jumps, has a corner, or bends too far in one element.
+//! What keeps a curve from being the line of a beam: it is not finite, stands still, jumps, has a corner, or bends too
+//! far in one element.
 //!
-//! Jumps and corners are found wherever they are, by what the derivative does not explain: `r(b) − r(a) − ∫ r' ds` is the jump
-//! between a and b, `t(b) − t(a) − ∫ t' ds` the corner.
+//! Jumps and corners are found wherever they are, by what the derivative does not explain: `r(b) − r(a) − ∫ r' ds` is
+//! the jump between a and b, `t(b) − t(a) − ∫ t' ds` the corner.
 
 use super::Vec3;
 use super::curve::Curve;
@@ -17,7 +18,8 @@ pub enum CurveDefect {
         /// Where.
         s: f64,
     },
-    /// Its length, or how far it turns, cannot be found: it is infinite there, or oscillates faster than anything can follow.
+    /// Its length, or how far it turns, cannot be found: it is infinite there, or oscillates faster than anything can
+    /// follow.
     Unmeasured {
         /// Where it is worst.
         s: f64,
@@ -52,13 +54,13 @@ pub enum CurveDefect {
     },
 }
 
-/// Widest jump, of the length of the element in which it is: below, the element's own interpolation is no better. The paper's spring
-/// has jumps of 2e-4 of an element's length.
+/// Widest jump, of the length of the element in which it is: below, the element's own interpolation is no better. The
+/// paper's spring has jumps of 2e-4 of an element's length.
 pub const LARGEST_JUMP: f64 = 1e-2;
 /// Sharpest corner, rad, 2 degrees: what numbers of four digits leave where pieces should meet smoothly.
 pub const LARGEST_CORNER: f64 = 2.0 * std::f64::consts::PI / 180.0;
-/// Farthest turning of the tangent in one element, and of the section by pretwist, rad: a right angle, beyond which the interpolation is
-/// no likeness of the curve, and the bending of a pretwisted element none of the beam's.
+/// Farthest turning of the tangent in one element, and of the section by pretwist, rad: a right angle, beyond which the
+/// interpolation is no likeness of the curve, and the bending of a pretwisted element none of the beam's.
 pub const LARGEST_BEND: f64 = std::f64::consts::FRAC_PI_2;
 /// Least `|r'|`, of its mean in the element.
 const SLOWEST: f64 = 1e-6;
@@ -89,7 +91,8 @@ pub fn of_length(curve: &Curve) -> Option<CurveDefect> {
     (length.value == 0.0).then_some(CurveDefect::NoLength)
 }
 
-/// What keeps the stretch between two nodes, of the arc length `length`, from being an element; [`of_length`] has found nothing.
+/// What keeps the stretch between two nodes, of the arc length `length`, from being an element; [`of_length`] has found
+/// nothing.
 pub fn of_element(curve: &Curve, from: f64, to: f64, length: f64) -> Option<CurveDefect> {
     if let Some(s) = standstill(curve, from, to, SLOWEST * length / (to - from)) {
         return Some(CurveDefect::Cusp { s });

@@ -1,4 +1,5 @@
-//! Cubic Hermite shape functions of a beam element (MECHANICS 3.3): `r(ξ) = Σ_a N_a X_a`, `X = (r_0, p_0, r_1, p_1)`, `p = r'`.
+//! Cubic Hermite shape functions of a beam element (MECHANICS 3.3): `r(ξ) = Σ_a N_a X_a`, `X = (r_0, p_0, r_1, p_1)`,
+//! `p = r'`.
 //!
 //! `ξ = x / l` runs over [0, 1]; primes are derivatives by arc length.
 

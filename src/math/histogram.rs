@@ -1,4 +1,5 @@
-//! How sizes are distributed, of any number of them in little memory: counts of the sizes between two neighboring numbers with four significant bits.
+//! How sizes are distributed, of any number of them in little memory: counts of the sizes between two neighboring
+//! numbers with four significant bits.
 
 use serde::{Deserialize, Serialize};
 
@@ -26,7 +27,8 @@ impl Histogram {
         }
     }
 
-    /// The size that at most a share of all sizes exceeds, to a sixteenth of it; the largest one exactly; 0 if there is none.
+    /// The size that at most a share of all sizes exceeds, to a sixteenth of it; the largest one exactly; 0 if there is
+    /// none.
     pub fn exceeded_by(&self, share: f64) -> f64 {
         // Counts may come from the bytes of a saved state.
         let total = self.bins.iter().fold(0_u64, |total, (_, count)| total.saturating_add(*count));

@@ -1,4 +1,5 @@
-//! Integrals to round-off: Gauss' and Kronrod's rules of 7 and 15 points on intervals that are halved where the two differ.
+//! Integrals to round-off: Gauss' and Kronrod's rules of 7 and 15 points on intervals that are halved where the two
+//! differ.
 
 /// Places of Kronrod's 15 points in [-1, 1], from the outermost to the middle; every second one is Gauss'.
 const PLACES: [f64; 8] = [
@@ -38,7 +39,8 @@ const AT_END: [[f64; 2]; 8] = [
 ];
 /// How much of half an interval lies between its outermost place and its end, where the rules see nothing.
 const UNSEEN: f64 = 1.0 - PLACES[0];
-/// Intervals at most: more than a jump on every side needs; what oscillates faster than that is not resolved by any step.
+/// Intervals at most: more than a jump on every side needs; what oscillates faster than that is not resolved by any
+/// step.
 const MOST_INTERVALS: u32 = 2_000;
 /// Halvings at most: an interval of this share of the whole holds a jump of the function to round-off.
 const DEEPEST: u32 = 52;
@@ -50,13 +52,15 @@ pub fn integral(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     integral_within(f, from, to, 0.0)
 }
 
-/// `∫ f` as above; the rules need not agree further than to `error`: the round-off of an `f` whose terms cancel is not pursued.
+/// `∫ f` as above; the rules need not agree further than to `error`: the round-off of an `f` whose terms cancel is not
+/// pursued.
 pub fn integral_within(f: &impl Fn(f64) -> f64, from: f64, to: f64, error: f64) -> f64 {
     Integral::of(f, from, to, error).value
 }
 
-/// `∫ f` as above, also where a kink or a jump lies so near to `from` or `to` that the rules, whose outermost places are inside, do not see it.
-/// At most `most` intervals are halved, a jump takes 52: where the terms of `f` cancel, the rules agree no better than its round-off, which no halving mends.
+/// `∫ f` as above, also where a kink or a jump lies so near to `from` or `to` that the rules, whose outermost places
+/// are inside, do not see it. At most `most` intervals are halved, a jump takes 52: where the terms of `f` cancel, the
+/// rules agree no better than its round-off, which no halving mends.
 pub fn integral_to_ends(f: &impl Fn(f64) -> f64, from: f64, to: f64, most: u32) -> f64 {
     let mut sum = Integral { at: from, ..Integral::default() };
     if from == to {
@@ -152,7 +156,8 @@ fn rules(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
     (sum * half, size * half.abs(), ((sum - gauss) * half).abs())
 }
 
-/// [`rules`], and by how much more it may be off: where the values at the ends are not those of the polynomial through the others, something happens before them.
+/// [`rules`], and by how much more it may be off: where the values at the ends are not those of the polynomial through
+/// the others, something happens before them.
 fn rules_to_ends(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let (sum, size, difference) = rules(f, from, to);
@@ -170,7 +175,8 @@ fn rules_to_ends(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64)
 mod tests {
     use super::*;
 
-    /// A drive given by its rate must end where the rate's integral says: smooth, kinked and jumping rates, to round-off.
+    /// A drive given by its rate must end where the rate's integral says: smooth, kinked and jumping rates, to
+    /// round-off.
     #[test]
     fn integrals_are_exact_to_round_off() {
         let close =
@@ -198,7 +204,8 @@ mod tests {
         }
     }
 
-    /// Where the terms of a law cancel, its round-off is not pursued without end, and its integral is right to that round-off.
+    /// Where the terms of a law cancel, its round-off is not pursued without end, and its integral is right to that
+    /// round-off.
     #[test]
     fn round_off_is_not_pursued() {
         let count = std::cell::Cell::new(0);

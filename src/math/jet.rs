@@ -1,7 +1,8 @@
-//! A number with its first two derivatives by one variable, `(f, f', f'')`: the chain rule, carried through every operation.
+//! A number with its first two derivatives by one variable, `(f, f', f'')`: the chain rule, carried through every
+//! operation.
 //!
-//! Chain rule: `g(f)' = g_f f'`, `g(f)'' = g_f f'' + g_ff f'²`. Where `f` does not change (`f' = f'' = 0`) the result does not
-//! either, also where `g_f` is infinite: `sqrt(0)` is a constant.
+//! Chain rule: `g(f)' = g_f f'`, `g(f)'' = g_f f'' + g_ff f'²`. Where `f` does not change (`f' = f'' = 0`) the result
+//! does not either, also where `g_f` is infinite: `sqrt(0)` is a constant.
 
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;

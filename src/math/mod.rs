@@ -1,5 +1,5 @@
-//! Numbers without beams: quadrature rules, Hermite shape functions, rotations, curves and frames along them, numbers with
-//! their derivatives.
+//! Numbers without beams: quadrature rules, Hermite shape functions, rotations, curves and frames along them, numbers
+//! with their derivatives.
 
 pub mod bishop;
 pub mod blocks;

@@ -1,9 +1,11 @@
-//! Cubic interpolation that is monotone wherever its points are: once continuously differentiable, and never beyond two neighboring points
-//! (Fritsch and Carlson 1980, with the slopes of Fritsch and Butland 1984, which are those of PCHIP).
+//! Cubic interpolation that is monotone wherever its points are: once continuously differentiable, and never beyond two
+//! neighboring points (Fritsch and Carlson 1980, with the slopes of Fritsch and Butland 1984, which are those of
+//! PCHIP).
 
 use super::jet::Jet;
 
-/// The derivative at each point. `x` ascends and has two points or more; `is_periodic`: the last point is the first one again.
+/// The derivative at each point. `x` ascends and has two points or more; `is_periodic`: the last point is the first one
+/// again.
 pub fn slopes(x: &[f64], y: &[f64], is_periodic: bool) -> Vec<f64> {
     let secant = |k: usize| (y[k + 1] - y[k]) / (x[k + 1] - x[k]);
     let length = |k: usize| x[k + 1] - x[k];
@@ -33,7 +35,8 @@ fn mean(lengths: [f64; 2], secants: [f64; 2]) -> f64 {
     (weights[0] + weights[1]) / (weights[0] / secants[0] + weights[1] / secants[1])
 }
 
-/// The derivative at an end, from the intervals next to it: that of a parabola through three points, bounded such that nothing overshoots.
+/// The derivative at an end, from the intervals next to it: that of a parabola through three points, bounded such that
+/// nothing overshoots.
 fn end(lengths: [f64; 2], secants: [f64; 2]) -> f64 {
     let sum = lengths[0] + lengths[1];
     let slope = ((sum + lengths[0]) * secants[0] - lengths[0] * secants[1]) / sum;

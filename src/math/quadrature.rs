@@ -34,7 +34,8 @@ pub fn lagrange(points: &[f64; 3], xi: f64) -> [f64; 3] {
     ]
 }
 
-/// `A_h(ξ) = ∫_0^ξ (Lagrange polynomial h on the Gauss points) dξ`; at the Gauss points the matrix of 3-stage Gauss collocation.
+/// `A_h(ξ) = ∫_0^ξ (Lagrange polynomial h on the Gauss points) dξ`; at the Gauss points the matrix of 3-stage Gauss
+/// collocation.
 pub fn collocation(xi: f64) -> [f64; 3] {
     // A quadratic is integrated exactly over [0, ξ] by Simpson's rule.
     let (start, middle, end) =
@@ -46,7 +47,8 @@ pub fn collocation(xi: f64) -> [f64; 3] {
 mod tests {
     use super::*;
 
-    /// The integrals of the Lagrange polynomials must be the Butcher matrix that MECHANICS 3.3 prints; the tolerance is rounding.
+    /// The integrals of the Lagrange polynomials must be the Butcher matrix that MECHANICS 3.3 prints; the tolerance is
+    /// rounding.
     #[test]
     fn collocation_is_the_gauss_matrix() {
         let s = SQRT_15;

@@ -1,5 +1,5 @@
-//! Intervals of real numbers, with the operations that bounds of functions need: `[a, b] + [c, d] = [a + c, b + d]`, and so on. An operation that has no value for some of
-//! the numbers gives all numbers.
+//! Intervals of real numbers, with the operations that bounds of functions need: `[a, b] + [c, d] = [a + c, b + d]`,
+//! and so on. An operation that has no value for some of the numbers gives all numbers.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

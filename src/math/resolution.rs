@@ -1,5 +1,5 @@
-//! How far a midpoint rule sees a function: `∫ f = h f(m) + h³/24 f''(m) + O(h⁵)` over a step of length `h` around `m`. A pulse within the step, which neither value tells, is what the
-//! integral has in addition.
+//! How far a midpoint rule sees a function: `∫ f = h f(m) + h³/24 f''(m) + O(h⁵)` over a step of length `h` around `m`.
+//! A pulse within the step, which neither value tells, is what the integral has in addition.
 //!
 //! The integral is that of cells whose bounds prove that the rule is right in each: no pulse is too narrow for it.
 
@@ -7,7 +7,8 @@ use super::jet::Jet;
 use super::range::Range;
 use super::switches::Bounded;
 
-/// A step that is to see a function may miss this share of `∫ |f|`, without the term of the second derivative: a sine of 2.5 steps a period.
+/// A step that is to see a function may miss this share of `∫ |f|`, without the term of the second derivative: a sine
+/// of 2.5 steps a period.
 const SEEN: f64 = 0.05;
 /// A step that is all there is of a pulse may miss this share, with that term: a sine of 9 steps a period.
 const RESOLVED: f64 = 0.02;
@@ -17,15 +18,16 @@ const FINE: f64 = 2e-4;
 const COARSE_CELL: f64 = 0.25;
 const CELL: f64 = 1e-3;
 const CELL_OF_WHOLE: f64 = 1e-5;
-/// A pulse is what has less than this share of its largest value on average over the step: a sine has 0.64 of it, its square 0.5. What oscillates, the error of the steps tells.
+/// A pulse is what has less than this share of its largest value on average over the step: a sine has 0.64 of it, its
+/// square 0.5. What oscillates, the error of the steps tells.
 const PULSE: f64 = 0.4;
 /// Values that tell an oscillation without an integral, and the distance between them, the golden ratio less 1.
 const VALUES: u32 = 8;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Values below this share of the largest ones of a function are none.
 const QUIET: f64 = 1e-6;
-/// Cells at first at most: a pulse takes a few dozens, and some more for every halving of its width. What needs more of them oscillates many times within a step, which the error of
-/// the steps tells.
+/// Cells at first at most: a pulse takes a few dozens, and some more for every halving of its width. What needs more of
+/// them oscillates many times within a step, which the error of the steps tells.
 const MOST_COARSE_CELLS: u32 = 250;
 const MOST_CELLS: u32 = 2_000;
 /// Halvings at most.
@@ -89,7 +91,8 @@ impl Bounded<'_> {
         peak
     }
 
-    /// The end of a step from `from` on the way to `to` that sees the function, whose largest value is `peak`: `to`, unless there is a pulse in between.
+    /// The end of a step from `from` on the way to `to` that sees the function, whose largest value is `peak`: `to`,
+    /// unless there is a pulse in between.
     pub fn seen_until(&self, [from, to]: [f64; 2], peak: f64, sight: Sight) -> f64 {
         let (share, curvature) = sight.allowed();
         let quiet = QUIET * peak;
@@ -133,7 +136,8 @@ impl Bounded<'_> {
         (integral - h * jet.value - curvature * bend(h, jet)).abs()
     }
 
-    /// Whether the bounds prove that the rule, with the share `curvature` of the term of the second derivative, misses no more than is allowed.
+    /// Whether the bounds prove that the rule, with the share `curvature` of the term of the second derivative, misses
+    /// no more than is allowed.
     fn is_sure(&self, [from, to]: [f64; 2], curvature: f64, allowed: Allowed) -> bool {
         let bounds = (self.bounds)(Range { low: from, high: to });
         // A function with other variables is not known, and one that still switches here does so everywhere.
@@ -170,7 +174,8 @@ impl Bounded<'_> {
     }
 }
 
-/// The term of the second derivative in the integral over `h`; 0 where the derivatives overflow, as in the tail of `1/cosh(x)^2`.
+/// The term of the second derivative in the integral over `h`; 0 where the derivatives overflow, as in the tail of
+/// `1/cosh(x)^2`.
 fn bend(h: f64, jet: Jet) -> f64 {
     if jet.second.is_finite() { h * h * h / 24.0 * jet.second } else { 0.0 }
 }

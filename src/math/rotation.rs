@@ -19,7 +19,8 @@ pub fn half_turn_by_second(a: &Vec3, b: &Vec3, k: &Vec3) -> Mat3 {
     (a.cross_matrix() - k * a.transpose()) / (1.0 + a.dot(b))
 }
 
-/// `P(a, b) w`: the minimal rotation that takes the unit vector `a` to the unit vector `b`, applied to `w ⊥ a` (MECHANICS 2.2).
+/// `P(a, b) w`: the minimal rotation that takes the unit vector `a` to the unit vector `b`, applied to `w ⊥ a`
+/// (MECHANICS 2.2).
 pub fn carry(a: &Vec3, b: &Vec3, w: &Vec3) -> Vec3 {
     w - (a + b) * (b.dot(w) / (1.0 + a.dot(b)))
 }
@@ -91,15 +92,18 @@ fn rotation_coefficients(x: f64) -> ([f64; 3], [f64; 3]) {
     ([a, a_x, -(0.5 * a + 3.0 * a_x) / (2.0 * x)], [b, b_x, (0.5 * a_x - 2.0 * b_x) / x])
 }
 
-/// Terms of the series of [`rotation_coefficients`]: the next one is below 1e-19 at `x = 1`, its second derivative below 1e-16.
+/// Terms of the series of [`rotation_coefficients`]: the next one is below 1e-19 at `x = 1`, its second derivative
+/// below 1e-16.
 const SERIES: i32 = 11;
 
-/// The direction of a vector; 0 where it has none. Compilers divide first and choose afterwards: not by 0, which hosts may trap.
+/// The direction of a vector; 0 where it has none. Compilers divide first and choose afterwards: not by 0, which hosts
+/// may trap.
 fn direction(vector: &Vec3) -> Vec3 {
     vector / vector.norm().max(f64::MIN_POSITIVE)
 }
 
-/// The rotation vector (rad) of the rotation matrix `turn` that lies nearest to `previous`: it goes on continuously over any number of turns.
+/// The rotation vector (rad) of the rotation matrix `turn` that lies nearest to `previous`: it goes on continuously
+/// over any number of turns.
 pub fn rotation_vector_near(turn: &Mat3, previous: &Vec3) -> Vec3 {
     let quaternion = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*turn));
     let (w, imaginary) = (quaternion.w, quaternion.imag());
@@ -117,8 +121,9 @@ pub fn rotation_vector_near(turn: &Mat3, previous: &Vec3) -> Vec3 {
     axis * (angle + turns * full)
 }
 
-/// The difference of two rotation vectors, rad, as the turn that leads from the turn of `from` to that of `to`: near a whole turn a rotation vector has any direction and any number of
-/// turns, so that the vectors of two near turns may be far apart. Beyond a quarter of a turn it is that of the vectors, which counts the turns about one axis.
+/// The difference of two rotation vectors, rad, as the turn that leads from the turn of `from` to that of `to`: near a
+/// whole turn a rotation vector has any direction and any number of turns, so that the vectors of two near turns may be
+/// far apart. Beyond a quarter of a turn it is that of the vectors, which counts the turns about one axis.
 pub fn rotation_between(from: &Vec3, to: &Vec3) -> Vec3 {
     let between = quaternion_of(to) * quaternion_of(from).conjugate();
     let (imaginary, cosine) = (between.imag(), between.w);
@@ -129,7 +134,8 @@ pub fn rotation_between(from: &Vec3, to: &Vec3) -> Vec3 {
     direction(&imaginary) * (2.0 * half * cosine.signum())
 }
 
-/// The derivative by time of the rotation vector `vector` (rad, shorter than a whole turn) of what turns with the angular velocity `spin`, rad/s.
+/// The derivative by time of the rotation vector `vector` (rad, shorter than a whole turn) of what turns with the
+/// angular velocity `spin`, rad/s.
 pub fn rotation_vector_rate(vector: &Vec3, spin: &Vec3) -> Vec3 {
     let angle = vector.norm();
     // 1 − (a/2) cot(a/2), by its series where the quotient is none.
@@ -201,7 +207,8 @@ mod tests {
         assert!((second - (skew * skew * 4.0 - skew * 3.0) * turn).norm() < 1e-12);
     }
 
-    /// A wheel that turns on must show an angle that goes on past half a turn and past whole turns, not one that jumps back.
+    /// A wheel that turns on must show an angle that goes on past half a turn and past whole turns, not one that jumps
+    /// back.
     #[test]
     fn rotation_vector_goes_on_over_turns() {
         let axis = Vec3::new(1.0, 2.0, -0.5).normalize();
@@ -221,8 +228,9 @@ mod tests {
         assert!((whole - axis * 2.0 * PI).norm() < 1e-9);
     }
 
-    /// A disk that has spun 70 times and is tilted by a thousandth about one axis or another has rotation vectors that are radians apart; the turn between both is the tilt. Beyond a
-    /// quarter of a turn about one axis all of it counts.
+    /// A disk that has spun 70 times and is tilted by a thousandth about one axis or another has rotation vectors that
+    /// are radians apart; the turn between both is the tilt. Beyond a quarter of a turn about one axis all of it
+    /// counts.
     #[test]
     fn the_turn_between_near_turns_is_small() {
         let spin = Vec3::x() * 140.0 * PI;

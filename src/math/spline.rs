@@ -8,7 +8,8 @@ use super::curve::Curve;
 use super::jet::Jet;
 use std::sync::Arc;
 
-/// The spline; its parameter is the chord length from the first point, m. Two points or more, no two neighbors at one place.
+/// The spline; its parameter is the chord length from the first point, m. Two points or more, no two neighbors at one
+/// place.
 pub fn through(points: &[Vec3]) -> Curve {
     let mut knots = vec![0.0];
     for pair in points.windows(2) {
@@ -32,7 +33,8 @@ pub fn through(points: &[Vec3]) -> Curve {
     Curve::new(Arc::new(coordinates), range, limits)
 }
 
-/// `M_i`: `h_(i-1) M_(i-1) + 2 (h_(i-1) + h_i) M_i + h_i M_(i+1) = 6 (d_i − d_(i-1))`, d the chords' slopes, and 0 at both ends.
+/// `M_i`: `h_(i-1) M_(i-1) + 2 (h_(i-1) + h_i) M_i + h_i M_(i+1) = 6 (d_i − d_(i-1))`, d the chords' slopes, and 0 at
+/// both ends.
 fn second_derivatives(points: &[Vec3], knots: &[f64]) -> Vec<Vec3> {
     let last = points.len() - 1;
     let step = |i: usize| knots[i + 1] - knots[i];

@@ -1,7 +1,7 @@
 //! From a model file to a simulation: where the two halves meet.
 //!
-//! [`document::Document::parse`] reads a file into typed data, [`expression`] gives every number of it a value and exact
-//! derivatives, [`text`] says what is wrong and where, [`simulation::Simulation`] runs it.
+//! [`document::Document::parse`] reads a file into typed data, [`expression`] gives every number of it a value and
+//! exact derivatives, [`text`] says what is wrong and where, [`simulation::Simulation`] runs it.
 
 pub mod builder;
 pub mod expression;

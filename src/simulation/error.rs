@@ -103,7 +103,8 @@ pub enum Error {
     },
 }
 
-/// The sentence too: a `main` that returns an error prints it in this way, and mistakes of a file are text of several lines.
+/// The sentence too: a `main` that returns an error prints it in this way, and mistakes of a file are text of several
+/// lines.
 impl fmt::Debug for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

@@ -1,7 +1,7 @@
 //! The front door for programs: a model file that runs, with names for its variables and typed errors.
 //!
-//! [`Simulation`] is an [`Instance`] of a model, the same that a host of an FMU holds: what may be set when, and within which range, is
-//! decided there. The functions in C of `src/ffi/front.rs` stand on this type.
+//! [`Simulation`] is an [`Instance`] of a model, the same that a host of an FMU holds: what may be set when, and within
+//! which range, is decided there. The functions in C of `src/ffi/front.rs` stand on this type.
 
 mod error;
 mod results;
@@ -23,7 +23,8 @@ use crate::model::modes::Modes;
 use crate::model::simulation::{Halt, Placement};
 use crate::model::{self, effort, file, names, notes};
 
-/// A model file that runs: load it, set parameters, initialize, advance, read results. All numbers are in SI units and radians.
+/// A model file that runs: load it, set parameters, initialize, advance, read results. All numbers are in SI units and
+/// radians.
 ///
 /// A failed call leaves the values as they were. After a failed step, a saved state or [`Self::reset`] goes on.
 pub struct Simulation {
@@ -70,7 +71,8 @@ impl Simulation {
         Self::open_reaching(path, Reach::Inside, overrides)
     }
 
-    /// Loads the model file at `path`, as [`Self::open_with`] does; where `reach` allows it, the model includes files and reads tables from outside of its folder.
+    /// Loads the model file at `path`, as [`Self::open_with`] does; where `reach` allows it, the model includes files
+    /// and reads tables from outside of its folder.
     ///
     /// # Errors
     /// As [`Self::open_with`].
@@ -81,7 +83,8 @@ impl Simulation {
         Self::from_text_in(folder, reach, &path.display().to_string(), &text, overrides)
     }
 
-    /// Loads a model from its text, as [`Self::from_text_with`] does, which names files in `folder`, and elsewhere where `reach` allows it.
+    /// Loads a model from its text, as [`Self::from_text_with`] does, which names files in `folder`, and elsewhere
+    /// where `reach` allows it.
     ///
     /// # Errors
     /// As [`Self::from_text_with`].
@@ -175,7 +178,8 @@ impl Simulation {
     /// As [`Self::value`], without a search.
     ///
     /// # Errors
-    /// The variable is an output, and the simulation is not initialized; or `id` is of another model, which has more variables.
+    /// The variable is an output, and the simulation is not initialized; or `id` is of another model, which has more
+    /// variables.
     pub fn value_of(&self, id: VariableId) -> Result<f64, Error> {
         let kind = self.variable(id.index())?.kind;
         match self.instance.mode() {
@@ -185,8 +189,8 @@ impl Simulation {
         }
     }
 
-    /// Sets the variable called `name`, in its SI unit: a parameter before the simulation is initialized, a tunable parameter or an
-    /// input at any time. An input keeps its value until it is set again.
+    /// Sets the variable called `name`, in its SI unit: a parameter before the simulation is initialized, a tunable
+    /// parameter or an input at any time. An input keeps its value until it is set again.
     ///
     /// # Errors
     /// No variable has this name, it cannot be set now, or the value is out of its range; the old value stays.
@@ -214,11 +218,12 @@ impl Simulation {
         outcome.map_err(|error| Error::of_value(error, self.time()))
     }
 
-    /// Builds the mechanism from the parameters as set, and finds its initial state, at t = 0 or at the time of the state that the model begins
-    /// with: from here on there are results.
+    /// Builds the mechanism from the parameters as set, and finds its initial state, at t = 0 or at the time of the
+    /// state that the model begins with: from here on there are results.
     ///
     /// # Errors
-    /// The parameters do not make a mechanism, or it has no initial state: other values can be tried. Or it is initialized already.
+    /// The parameters do not make a mechanism, or it has no initial state: other values can be tried. Or it is
+    /// initialized already.
     pub fn initialize(&mut self) -> Result<(), Error> {
         let entered = match self.instance.mode() {
             Mode::Initialization => Ok(()), // the last attempt has failed
@@ -231,14 +236,17 @@ impl Simulation {
         Ok(())
     }
 
-    /// Asks for the mesh error of motions, before [`Self::initialize`]: the model runs once more beside this run, with half the elements. `placement` says where, for
-    /// instance on a thread. [`Self::finish`] waits for it, and warns where the mesh is too coarse. Results do not change. [`Self::restore`], and parameters that are set
-    /// during the run, leave the error unknown. `mesh_error = true` in the model file asks for it within each step of this run. The answer halts the run beside, from any thread, where nobody waits for the error any more.
+    /// Asks for the mesh error of motions, before [`Self::initialize`]: the model runs once more beside this run, with
+    /// half the elements. `placement` says where, for instance on a thread. [`Self::finish`] waits for it, and warns
+    /// where the mesh is too coarse. Results do not change. [`Self::restore`], and parameters that are set during the
+    /// run, leave the error unknown. `mesh_error = true` in the model file asks for it within each step of this run.
+    /// The answer halts the run beside, from any thread, where nobody waits for the error any more.
     pub fn ask_for_mesh_error(&mut self, placement: Placement) -> Halt {
         self.instance.model_mut().ask_for_mesh_error(placement)
     }
 
-    /// Restricts the warnings about errors of the steps and the mesh, which [`Self::finish`] gives, to these results: `tip.position`, or a component of it.
+    /// Restricts the warnings about errors of the steps and the mesh, which [`Self::finish`] gives, to these results:
+    /// `tip.position`, or a component of it.
     ///
     /// # Errors
     /// There is no such result; the nearest name is suggested.
@@ -253,11 +261,12 @@ impl Simulation {
         Ok(())
     }
 
-    /// Advances to `time`, s. The internal steps are those of the model file: where `time` is a multiple of `simulation.step`, results
-    /// have the bits of `ancf14 run`.
+    /// Advances to `time`, s. The internal steps are those of the model file: where `time` is a multiple of
+    /// `simulation.step`, results have the bits of `ancf14 run`.
     ///
     /// # Errors
-    /// The simulation is not initialized, `time` is before the time reached or not finite, or a step cannot be computed.
+    /// The simulation is not initialized, `time` is before the time reached or not finite, or a step cannot be
+    /// computed.
     pub fn advance(&mut self, time: f64) -> Result<(), Error> {
         let from = self.time();
         if self.instance.mode() == Mode::Step && !(time.is_finite() && time >= from) {
@@ -273,8 +282,8 @@ impl Simulation {
         self.instance.time()
     }
 
-    /// Ends the run, so that [`Self::take_warnings`] has those about the run as a whole: how far results are off because of the length
-    /// of the steps, and of the mesh. Values can still be read.
+    /// Ends the run, so that [`Self::take_warnings`] has those about the run as a whole: how far results are off
+    /// because of the length of the steps, and of the mesh. Values can still be read.
     ///
     /// # Errors
     /// The simulation is not initialized, or the run has ended already.
@@ -344,8 +353,8 @@ impl Simulation {
         }
     }
 
-    /// The warnings since the last call of this function, a sentence each: of legal models that are hardly ever meant, of results that
-    /// should not be trusted.
+    /// The warnings since the last call of this function, a sentence each: of legal models that are hardly ever meant,
+    /// of results that should not be trusted.
     pub fn take_warnings(&mut self) -> Vec<String> {
         let told = self.instance.take_entries().into_iter().map(|entry| entry.message);
         self.warnings.drain(..).chain(told).collect()

@@ -3,7 +3,8 @@
 use super::{Error, Simulation, VariableId};
 use crate::model::rows;
 
-/// A table of results: one row every `simulation.output_step` of the model file, the first at the start, the last at the end.
+/// A table of results: one row every `simulation.output_step` of the model file, the first at the start, the last at
+/// the end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Results {
     time: Vec<f64>,
@@ -28,8 +29,9 @@ impl Results {
 }
 
 impl Simulation {
-    /// Runs to the stop time of the model file, from the time that is reached, as `ancf14 run` does; initializes first, if that has
-    /// not been done. Calls `each` at the start, and after every `simulation.output_step`: to read results, to set inputs.
+    /// Runs to the stop time of the model file, from the time that is reached, as `ancf14 run` does; initializes first,
+    /// if that has not been done. Calls `each` at the start, and after every `simulation.output_step`: to read results,
+    /// to set inputs.
     ///
     /// # Errors
     /// The first one of the run or of `each`, which ends the run.
@@ -37,7 +39,8 @@ impl Simulation {
         self.run_while(|simulation| each(simulation).map(|()| true))
     }
 
-    /// Runs as [`Self::run`] does, while `each` answers true. A run that is stopped early is not finished: it can go on.
+    /// Runs as [`Self::run`] does, while `each` answers true. A run that is stopped early is not finished: it can go
+    /// on.
     ///
     /// # Errors
     /// As [`Self::run`].

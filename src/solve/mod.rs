@@ -1,6 +1,7 @@
 //! Linear systems, Newton, equilibria, natural modes, steps in time and their derivatives.
 //!
-//! The rooms are a stack, the lowest first: `linear`, `newton`, `step`, `modes` and `sensitivity`, `statics`, `dynamics`.
+//! The rooms are a stack, the lowest first: `linear`, `newton`, `step`, `modes` and `sensitivity`, `statics`,
+//! `dynamics`.
 
 pub mod dynamics;
 pub mod linear;

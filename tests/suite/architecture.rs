@@ -1,5 +1,6 @@
-//! The lines that ARCHITECTURE.md draws must hold in the code: which layer may import which, that the rooms of a layer are a stack,
-//! where unsafe, faer and printing live, how long files are, that the page names every room, and that every path it names exists.
+//! The lines that ARCHITECTURE.md draws must hold in the code: which layer may import which, that the rooms of a layer
+//! are a stack, where unsafe, faer and printing live, how long files are, that the page names every room, and that
+//! every path it names exists.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -45,7 +46,8 @@ fn everything() -> Vec<(String, String)> {
     folders.chain(["src", "python/src"].map(str::to_owned)).flat_map(|folder| sources(&folder)).collect()
 }
 
-/// `math <- mechanics <- solve <- model`, `fmi <- model <- simulation`, `ffi` on top; `error` is for all of the mechanics half.
+/// `math <- mechanics <- solve <- model`, `fmi <- model <- simulation`, `ffi` on top; `error` is for all of the
+/// mechanics half.
 #[test]
 fn modules_import_only_what_lies_below() {
     let layers: [(&str, &[&str]); 7] = [
@@ -67,8 +69,8 @@ fn modules_import_only_what_lies_below() {
     }
 }
 
-/// What stands on the library uses it as anyone else does: model and fmi only. Which package may use which is in their manifests, and cargo
-/// holds it. The tools and the tests look inside.
+/// What stands on the library uses it as anyone else does: model and fmi only. Which package may use which is in their
+/// manifests, and cargo holds it. The tools and the tests look inside.
 #[test]
 fn packages_import_model_and_fmi_only() {
     for package in ["crates/pack", "crates/report", "crates/view", "crates/vtk", "crates/live", "crates/cli", "python"]
@@ -81,7 +83,8 @@ fn packages_import_model_and_fmi_only() {
     }
 }
 
-/// Imports between rooms that close a circle: folder, room, the room that it imports. New ones fail; one that is gone leaves this list.
+/// Imports between rooms that close a circle: folder, room, the room that it imports. New ones fail; one that is gone
+/// leaves this list.
 const CIRCLES: &[(&str, &str, &str)] = &[
     // The list of all elements has those that implement what it asks for.
     ("mechanics/beam", "element", "ancf14"),
@@ -95,7 +98,8 @@ const CIRCLES: &[(&str, &str, &str)] = &[
     ("mechanics/beam/ancf14", "strain", "energy"),
 ];
 
-/// Adds the paths that begin at `text`, after a `::`, to `paths`, each behind `prefix`; returns how long they are. `a::{b, c::d}` is two paths.
+/// Adds the paths that begin at `text`, after a `::`, to `paths`, each behind `prefix`; returns how long they are.
+/// `a::{b, c::d}` is two paths.
 fn add_paths(text: &str, prefix: &[&str], paths: &mut Vec<Vec<String>>) -> usize {
     if let Some(list) = text.strip_prefix('{') {
         let mut at = 1;
@@ -120,7 +124,8 @@ fn add_paths(text: &str, prefix: &[&str], paths: &mut Vec<Vec<String>>) -> usize
     }
 }
 
-/// The modules that file `name` below `src/` of a package names by paths from `crate` or from above itself, tests left out.
+/// The modules that file `name` below `src/` of a package names by paths from `crate` or from above itself, tests left
+/// out.
 fn named(name: &str, code: &str) -> Vec<Vec<String>> {
     let code = code.split("#[cfg(test)]").next().unwrap();
     let below = name.split_once("src/").unwrap().1;
@@ -224,7 +229,8 @@ fn paths_are_read() {
     assert_eq!(read, wanted);
 }
 
-/// A solver, like everything above it, knows elements by what all of them answer; the model alone chooses one of a kind, where it builds a mesh.
+/// A solver, like everything above it, knows elements by what all of them answer; the model alone chooses one of a
+/// kind, where it builds a mesh.
 #[test]
 fn solvers_name_no_element() {
     for layer in ["solve", "simulation", "ffi"] {
@@ -270,7 +276,8 @@ fn printing_lives_in_the_command_line_only() {
     }
 }
 
-/// A thread, a global or a thread-local with a destructor in the library would kill hosts that load it a thousand times.
+/// A thread, a global or a thread-local with a destructor in the library would kill hosts that load it a thousand
+/// times.
 #[test]
 fn no_threads_and_no_globals() {
     for (name, code) in sources("src")

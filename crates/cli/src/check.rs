@@ -1,4 +1,5 @@
-//! `check`: a model is without mistakes if it can be loaded and brought to its initial state; its variables as an aligned table.
+//! `check`: a model is without mistakes if it can be loaded and brought to its initial state; its variables as an
+//! aligned table.
 
 use super::picture::Target;
 use super::{Stop, complain, progress, say, start, voice};

@@ -26,7 +26,8 @@ const LINES: usize = 10;
 /// Digits of the numbers in it.
 const DIGITS: usize = 4;
 
-/// Sums up a run that took these counts and `wall` seconds; none if it has no row. `settings` are the overrides of `--set`.
+/// Sums up a run that took these counts and `wall` seconds; none if it has no row. `settings` are the overrides of
+/// `--set`.
 pub fn summary(
     simulation: &Simulation,
     results: &Results,
@@ -63,8 +64,8 @@ fn sorted(errors: &[Inexact]) -> Vec<EstimatedError> {
     errors
 }
 
-/// Writes the document and the page, with the warnings so far and why the run ended early; with `--json` the document is what the program prints. `pictures` are
-/// the plots, and `files` what else is in the folder.
+/// Writes the document and the page, with the warnings so far and why the run ended early; with `--json` the document
+/// is what the program prints. `pictures` are the plots, and `files` what else is in the folder.
 pub fn write(
     summary: &Summary,
     (simulation, outcome): (&Simulation, &Result<(), Stop>),

@@ -34,8 +34,8 @@ pub fn standard(text: &str) -> Result<Standard, String> {
     }
 }
 
-/// Packs the model `file` as an FMU of a version of the standard, with the library of this platform, which lies next to `program`, and with those of others that
-/// are given or lie beside it.
+/// Packs the model `file` as an FMU of a version of the standard, with the library of this platform, which lies next to
+/// `program`, and with those of others that are given or lie beside it.
 pub fn pack(
     standard: Standard,
     (file, reach): (&Path, Reach),

@@ -1,7 +1,7 @@
 //! The folder of results. One program at a time writes into it, and it replaces only files that this program wrote.
 //!
-//! The file `.ancf14` in the folder is the lock, and the list of those files: a row for each, with the command that wrote it and the
-//! GUID of the model. A killed program takes its lock with it.
+//! The file `.ancf14` in the folder is the lock, and the list of those files: a row for each, with the command that
+//! wrote it and the GUID of the model. A killed program takes its lock with it.
 
 use super::output::{self, Input};
 use super::{Stop, complain};
@@ -71,8 +71,9 @@ impl Folder {
         self.path.join(name)
     }
 
-    /// Makes room for the files that `command` will write for the model of `guid`: those of its last call are removed, so that nothing
-    /// old passes for new. Fails before anything is touched if one of them is an input or cannot be replaced.
+    /// Makes room for the files that `command` will write for the model of `guid`: those of its last call are removed,
+    /// so that nothing old passes for new. Fails before anything is touched if one of them is an input or cannot be
+    /// replaced.
     pub fn claim(&mut self, command: &str, guid: &str, names: &[String], inputs: &[Input<'_>]) -> Result<(), Stop> {
         let paths: Vec<PathBuf> = names.iter().map(|name| self.file(name)).collect();
         output::spare(inputs, &paths)?;
@@ -187,7 +188,8 @@ mod tests {
         assert_eq!(found, [LIST, "mine.svg", "modes.csv", "new.svg", "results.csv"]);
     }
 
-    /// A page of the user stays, and so does everything else in the folder: the command fails before it touches anything.
+    /// A page of the user stays, and so does everything else in the folder: the command fails before it touches
+    /// anything.
     #[test]
     fn pages_of_the_user_are_spared() {
         let there = tempfile::tempdir().unwrap();

@@ -1,7 +1,8 @@
-//! `run --inputs FILE.csv`: inputs of the model as a host would set them, from a table with a column `time` and one for each input.
+//! `run --inputs FILE.csv`: inputs of the model as a host would set them, from a table with a column `time` and one for
+//! each input.
 //!
-//! Between two rows an input changes linearly; before the first row and after the last one it is held. Two rows at one time are a jump. Communication steps
-//! end at the rows, so that what acts in a step is a straight line.
+//! Between two rows an input changes linearly; before the first row and after the last one it is held. Two rows at one
+//! time are a jump. Communication steps end at the rows, so that what acts in a step is a straight line.
 
 use super::Stop;
 use ancf14::fmi::variable::Causality;

@@ -1,7 +1,8 @@
-//! Looks after a run from a thread of its own: writes the rows that wait once a second, and ends the run on Ctrl-C, SIGTERM and SIGHUP.
+//! Looks after a run from a thread of its own: writes the rows that wait once a second, and ends the run on Ctrl-C,
+//! SIGTERM and SIGHUP.
 //!
-//! The run itself looks for a signal between two rows. Where a row takes longer than that, the keeper writes what is there and
-//! ends the process.
+//! The run itself looks for a signal between two rows. Where a row takes longer than that, the keeper writes what is
+//! there and ends the process.
 
 use super::complain;
 use super::rows::{Rows, Shared, locked};
@@ -114,7 +115,8 @@ pub fn end_on_interrupt() -> io::Result<()> {
     Ok(())
 }
 
-/// The signals that the process was started to ignore, bit by bit from SIGHUP: nohup, and a shell for what runs in the background.
+/// The signals that the process was started to ignore, bit by bit from SIGHUP: nohup, and a shell for what runs in the
+/// background.
 fn ignored() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

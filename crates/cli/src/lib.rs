@@ -1,5 +1,5 @@
-//! The command line of ancf14: commands, arguments and exit codes: 0, 1 (the run failed), 2 (bad file or arguments), 128 and the number
-//! of a signal that ended a run. The program and the Python package both call [`main`].
+//! The command line of ancf14: commands, arguments and exit codes: 0, 1 (the run failed), 2 (bad file or arguments),
+//! 128 and the number of a signal that ended a run. The program and the Python package both call [`main`].
 
 mod advance;
 pub mod background;
@@ -52,7 +52,8 @@ struct Arguments {
     /// Say nothing but what was asked for, warnings and errors
     #[arg(short, long, global = true)]
     quiet: bool,
-    /// Answer with one JSON document on the standard output: variables of `check`, extremes of `run`, modes of `modes`, warnings and errors of all commands
+    /// Answer with one JSON document on the standard output: variables of `check`, extremes of `run`, modes of `modes`,
+    /// warnings and errors of all commands
     #[arg(long, global = true, conflicts_with = "quiet")]
     json: bool,
 }
@@ -71,15 +72,16 @@ enum Command {
         #[arg(long, conflicts_with = "name")]
         list: bool,
     },
-    /// Simulate a model: results.csv, a plot of each quantity, summary.json, and index.html, which shows everything on one page
+    /// Simulate a model: results.csv, a plot of each quantity, summary.json, and index.html, which shows everything on
+    /// one page
     ///
     /// During the run its rows are in results.part.csv, which becomes results.csv at the end. A run that fails or is
     /// interrupted leaves its rows there. Files of the previous run in the same folder are replaced.
     Run {
         #[command(flatten)]
         model: ModelArguments,
-        /// Estimate the error of every column from further runs with other steps and meshes: errors.csv and errors.svg. ACCURACY is the
-        /// wanted error as a share of each column's range [default: 0.001]
+        /// Estimate the error of every column from further runs with other steps and meshes: errors.csv and errors.svg.
+        /// ACCURACY is the wanted error as a share of each column's range [default: 0.001]
         #[arg(long, value_name = "ACCURACY", num_args = 0..=1, require_equals = true, value_parser = verify::accuracy)]
         verify: Option<Option<f64>>,
         /// Leave out the second run of a motion, with half the elements, that tells the mesh error
@@ -91,8 +93,9 @@ enum Command {
         /// Give the inputs of the model from a table: a column `time` and one for each input, linear between the rows
         #[arg(long, value_name = "FILE.csv", conflicts_with = "verify")]
         inputs: Option<PathBuf>,
-        /// Start from a state written by --save-state, instead of at t = 0. A run of the same model file with the same overrides, except simulation.stop
-        /// and simulation.output_step, continues the run that left the state. Any other model with the same parts has its own loads, drives and switches
+        /// Start from a state written by --save-state, instead of at t = 0. A run of the same model file with the same
+        /// overrides, except simulation.stop and simulation.output_step, continues the run that left the state. Any
+        /// other model with the same parts has its own loads, drives and switches
         #[arg(long, value_name = "FILE", conflicts_with = "verify")]
         from_state: Option<PathBuf>,
         /// Write the state at the end of the run, for --from-state of another run
@@ -131,8 +134,9 @@ enum Command {
     },
     /// Simulate a model and write a page that shows it in motion: one HTML file, in three dimensions, with charts
     ///
-    /// The page opens in any browser, from the disk, without loading anything else. If the run fails, the page shows it up to the failure. Instead of a model file, a page that this
-    /// command has written, or a folder of results with view.html, gives its run.
+    /// The page opens in any browser, from the disk, without loading anything else. If the run fails, the page shows it
+    /// up to the failure. Instead of a model file, a page that this command has written, or a folder of results with
+    /// view.html, gives its run.
     View {
         #[command(flatten)]
         model: ModelArguments,
@@ -145,18 +149,21 @@ enum Command {
         /// Also show the N lowest natural modes about the initial state [default of N: 10]
         #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, value_parser = modes::count)]
         modes: Option<Option<u16>>,
-        /// Put the solver into the page: its reader changes parameters and simulates again, without a network. FILE is the solver [default: ancf14.wasm next to this program,
-        /// or in ../lib]
+        /// Put the solver into the page: its reader changes parameters and simulates again, without a network. FILE is
+        /// the solver [default: ancf14.wasm next to this program, or in ../lib]
         #[arg(long, value_name = "FILE.wasm", num_args = 0..=1, require_equals = true)]
         live: Option<Option<PathBuf>>,
-        /// Serve the page on this computer instead of writing it. Whenever a file of the model is saved, simulate again and update the page; mistakes appear above the last picture. Ctrl-C ends it
+        /// Serve the page on this computer instead of writing it. Whenever a file of the model is saved, simulate again
+        /// and update the page; mistakes appear above the last picture. Ctrl-C ends it
         #[arg(long, conflicts_with_all = ["output", "live", "other"])]
         watch: bool,
     },
-    /// Simulate a model and write files that ParaView and PyVista read: beams with their section forces, bodies, joints, loads
+    /// Simulate a model and write files that ParaView and PyVista read: beams with their section forces, bodies,
+    /// joints, loads
     ///
-    /// The command writes one file per kind of part and row of results, and one list per kind: beams.pvd, bodies.pvd, joints.pvd. If the run fails, the files show it up to the
-    /// failure. Files of the previous export in the same folder are replaced.
+    /// The command writes one file per kind of part and row of results, and one list per kind: beams.pvd, bodies.pvd,
+    /// joints.pvd. If the run fails, the files show it up to the failure. Files of the previous export in the same
+    /// folder are replaced.
     Export {
         #[command(flatten)]
         model: ModelArguments,
@@ -169,8 +176,8 @@ enum Command {
     },
     /// Pack a model as an FMU for co-simulation (FMI 2.0 or 3.0)
     ///
-    /// The FMU runs on this platform, and on those whose libraries lie beside the library of this one, as in a release: aarch64-linux/libancf14.so,
-    /// x86_64-windows/ancf14.dll.
+    /// The FMU runs on this platform, and on those whose libraries lie beside the library of this one, as in a release:
+    /// aarch64-linux/libancf14.so, x86_64-windows/ancf14.dll.
     Pack {
         /// Model file
         #[arg(value_name = "MODEL.toml")]
@@ -267,8 +274,8 @@ enum Stop {
     Interrupted(String, u8),
 }
 
-/// Runs the command that the arguments ask for, the name of the program first, and returns the exit code. `pack` looks for the library of FMUs next to
-/// the file `program`; none: next to the running program.
+/// Runs the command that the arguments ask for, the name of the program first, and returns the exit code. `pack` looks
+/// for the library of FMUs next to the file `program`; none: next to the running program.
 pub fn main(arguments: impl IntoIterator<Item = OsString>, program: Option<&Path>) -> u8 {
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,

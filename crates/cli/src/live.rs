@@ -9,7 +9,8 @@ pub const SOLVER: &str = "the solver of the page";
 /// Name of its file.
 const FILE: &str = "ancf14.wasm";
 
-/// The solver as WebAssembly, with its path: the file that is given, or the one next to `program` (none: the running program) or in `../lib`.
+/// The solver as WebAssembly, with its path: the file that is given, or the one next to `program` (none: the running
+/// program) or in `../lib`.
 pub fn solver(given: Option<&Path>, program: Option<&Path>) -> Result<(PathBuf, Vec<u8>), Stop> {
     let executable = match program {
         Some(program) => program.to_owned(),

@@ -1,7 +1,7 @@
 //! Files that a command writes: whole or not at all, and never over a file that it reads.
 //!
-//! The bytes go to a temporary file in the folder of the target, which takes the target's name when all of them are written. A full
-//! disk or a killed process leaves the target as it was.
+//! The bytes go to a temporary file in the folder of the target, which takes the target's name when all of them are
+//! written. A full disk or a killed process leaves the target as it was.
 
 use super::Stop;
 use std::fs::{self, OpenOptions, Permissions};
@@ -34,7 +34,8 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Stop> {
     replace(path, bytes).map_err(|reason| trouble(path, &reason))
 }
 
-/// Fails where a file cannot be written, before there is anything to write: its folder is missing or read-only, or another thing has its name.
+/// Fails where a file cannot be written, before there is anything to write: its folder is missing or read-only, or
+/// another thing has its name.
 pub fn try_out(path: &Path) -> Result<(), Stop> {
     match temporary(path) {
         Ok(_) => Ok(()),

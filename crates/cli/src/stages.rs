@@ -25,7 +25,8 @@ pub fn read(path: &Path, simulation: &Simulation) -> Result<Beginning, Stop> {
     Ok(beginning)
 }
 
-/// The file of the state that the model file names, where `simulation` is to begin with one; says so. It cannot be verified then.
+/// The file of the state that the model file names, where `simulation` is to begin with one; says so. It cannot be
+/// verified then.
 pub fn named(simulation: &Simulation, model: &Path, is_verified: bool) -> Result<Option<PathBuf>, Stop> {
     let Some(state) = simulation.first_state() else { return Ok(None) };
     let path = model.parent().unwrap_or(Path::new("")).join(&state.name);

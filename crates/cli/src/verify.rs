@@ -1,5 +1,5 @@
-//! `run --verify`: compares the rows of a run with those of other steps and meshes, and tells the errors: a table, errors.csv and
-//! errors.svg.
+//! `run --verify`: compares the rows of a run with those of other steps and meshes, and tells the errors: a table,
+//! errors.csv and errors.svg.
 
 use super::folder::Folder;
 use super::keeper::{Keeper, interrupted};

@@ -1,4 +1,5 @@
-//! `view`: simulates as `run` does, and writes one HTML file that shows the mechanism move; two runs of it too, of which one may be that of another page.
+//! `view`: simulates as `run` does, and writes one HTML file that shows the mechanism move; two runs of it too, of
+//! which one may be that of another page.
 
 use super::advance::advance;
 use super::output::{self, Input};
@@ -182,7 +183,8 @@ impl Opened {
     }
 }
 
-/// What the page calls its runs: the names of their files, with folders where they would be the same, and what is changed in models.
+/// What the page calls its runs: the names of their files, with folders where they would be the same, and what is
+/// changed in models.
 fn names(sources: [&Source<'_>; 2], overrides: &[(String, String)]) -> [String; 2] {
     let named = |source: &Source<'_>, file: String| -> String {
         let changes = overrides.iter().filter(|_| source.is_model()).map(|(key, value)| format!(", {key} = {value}"));
@@ -201,7 +203,8 @@ fn begins_as_page(path: &Path) -> bool {
     read.is_ok() && begin == BEGIN
 }
 
-/// What there is to see of a simulation, of one that fails up to the failure. `look` is told the share of the rows that are done.
+/// What there is to see of a simulation, of one that fails up to the failure. `look` is told the share of the rows that
+/// are done.
 pub fn filmed(
     mut simulation: Simulation,
     modes: Option<u16>,

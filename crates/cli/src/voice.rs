@@ -1,4 +1,5 @@
-//! How the program speaks: lines on the standard output, complaints on the standard error, or with `--json` one document at the end.
+//! How the program speaks: lines on the standard output, complaints on the standard error, or with `--json` one
+//! document at the end.
 //!
 //! One process runs one command, so that the style is one of the whole process.
 

@@ -14,10 +14,12 @@ use std::time::{Duration, Instant};
 /// More instants than this are thousands of files for ParaView to open: whoever wants them says so.
 const MOST: u64 = 10_000;
 
-/// How often the lists are written during a run: an interrupted one can be looked at up to this time before the interrupt.
+/// How often the lists are written during a run: an interrupted one can be looked at up to this time before the
+/// interrupt.
 const PACE: Duration = Duration::from_secs(1);
 
-/// Simulates and writes one row in `every`, and the last one, into the folder `directory`; none: each row of at most [`MOST`].
+/// Simulates and writes one row in `every`, and the last one, into the folder `directory`; none: each row of at most
+/// [`MOST`].
 pub fn export(
     mut simulation: Simulation,
     directory: &Path,

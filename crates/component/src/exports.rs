@@ -1,4 +1,5 @@
-//! The functions of the world, each a line on [`Unit`]. What the unit does not offer is refused with the reason in the log.
+//! The functions of the world, each a line on [`Unit`]. What the unit does not offer is refused with the reason in the
+//! log.
 
 use super::bindings::exports::fmi::fmi3::{
     co_simulation::{CoSimulationInstance, DoStepResult, Guest, GuestCoSimulationInstance},

@@ -103,7 +103,8 @@ impl Unit {
         references.iter().map(|reference| self.elements.get(reference).copied().unwrap_or(1)).sum()
     }
 
-    /// Runs the body of a call that returns values; an error goes to the log. The status of a success has no place next to values: its warnings are in the log.
+    /// Runs the body of a call that returns values; an error goes to the log. The status of a success has no place next
+    /// to values: its warnings are in the log.
     pub fn answer<T>(
         &self,
         call: Call,
@@ -156,8 +157,8 @@ impl Unit {
         self.answer(call, |instance| instance.no_variable(call, references, asked))
     }
 
-    /// A communication step. A host that allows early returns hears of each internal step. It can call nothing of the unit meanwhile: a component that waits for its
-    /// host is not entered again.
+    /// A communication step. A host that allows early returns hears of each internal step. It can call nothing of the
+    /// unit meanwhile: a component that waits for its host is not entered again.
     pub fn step(&self, time: f64, step: f64) -> Result<DoStepResult, Status> {
         const CALL: Call = Call::DoStep;
         let mut early = false;

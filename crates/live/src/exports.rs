@@ -1,7 +1,9 @@
-//! The functions that the page calls (viewer/src/worker.ts). They take and return numbers and addresses only: the page writes a request to the address of
+//! The functions that the page calls (viewer/src/worker.ts). They take and return numbers and addresses only: the page
+//! writes a request to the address of
 //! [`request`], and reads a reply at the address of [`reply`].
 //!
-//! A panic ends the module, which then has the message as its last reply: the page says it, and takes a new module for the next run.
+//! A panic ends the module, which then has the message as its last reply: the page says it, and takes a new module for
+//! the next run.
 
 #![allow(unsafe_code, reason = "exported names must be unique in the program; nothing here follows a pointer")]
 
@@ -87,7 +89,8 @@ pub extern "C" fn begin() {
     });
 }
 
-/// Goes on by `count` rows of results, or to the end. Returns whether the run goes on (0), has ended (1) or has failed (2).
+/// Goes on by `count` rows of results, or to the end. Returns whether the run goes on (0), has ended (1) or has failed
+/// (2).
 #[unsafe(no_mangle)]
 pub extern "C" fn advance(count: u32) -> u32 {
     DESK.with_borrow_mut(|desk| {
@@ -100,7 +103,8 @@ pub extern "C" fn advance(count: u32) -> u32 {
     })
 }
 
-/// Ends the run, early with `stopped` other than 0. The reply has the warnings, the error if there was one, and the data of the page.
+/// Ends the run, early with `stopped` other than 0. The reply has the warnings, the error if there was one, and the
+/// data of the page.
 #[unsafe(no_mangle)]
 pub extern "C" fn finish(stopped: u32) {
     DESK.with_borrow_mut(|desk| match desk.run.take() {
@@ -109,8 +113,8 @@ pub extern "C" fn finish(stopped: u32) {
     });
 }
 
-/// Reads the model of the request for a reader who drags it; `pace` is how many seconds of the run pass in a second of the clock. The reply tells what can be
-/// dragged and what a frame consists of, or what is wrong.
+/// Reads the model of the request for a reader who drags it; `pace` is how many seconds of the run pass in a second of
+/// the clock. The reply tells what can be dragged and what a frame consists of, or what is wrong.
 #[unsafe(no_mangle)]
 pub extern "C" fn interact(pace: f64) {
     guard();
@@ -151,7 +155,8 @@ pub extern "C" fn release() {
     });
 }
 
-/// Lets the mechanism that is dragged go on by a communication step. Returns 0, or 2 if that failed, with the error as the reply.
+/// Lets the mechanism that is dragged go on by a communication step. Returns 0, or 2 if that failed, with the error as
+/// the reply.
 #[unsafe(no_mangle)]
 pub extern "C" fn step() -> u32 {
     play(Session::step)

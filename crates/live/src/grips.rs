@@ -1,5 +1,6 @@
-//! The points of a mechanism that can be dragged: each has a load whose force the page gives, and an output of its position and velocity. All are part of the model
-//! file that is simulated, so that the solver treats a drag like the input of any host.
+//! The points of a mechanism that can be dragged: each has a load whose force the page gives, and an output of its
+//! position and velocity. All are part of the model file that is simulated, so that the solver treats a drag like the
+//! input of any host.
 
 use ancf14::model::view::{Scene, Solid};
 use serde::Serialize;

@@ -57,7 +57,8 @@ impl Run {
         Ok(self.row == self.last_row)
     }
 
-    /// Ends the run; one that is `stopped` says so. Returns JSON: warnings, the error if there was one, the data of the page.
+    /// Ends the run; one that is `stopped` says so. Returns JSON: warnings, the error if there was one, the data of the
+    /// page.
     pub fn finish(mut self, stopped: bool) -> String {
         let time = self.simulation.time();
         match &self.error {

@@ -1,8 +1,10 @@
-//! A simulation that goes on while a reader drags points of the mechanism: a spring and a damper between the pointer and the point.
+//! A simulation that goes on while a reader drags points of the mechanism: a spring and a damper between the pointer
+//! and the point.
 //!
-//! The force is an input, constant in each communication step. Such a force could pump energy into a light point of a heavy mechanism. The step's own
-//! response bounds it: with the mobility `m` of the point, the change of its speed in a step of length `h` by a force of 1 N, the spring has the stiffness
-//! `k / (1 + k m h)` and the damper `c / (1 + c m)`. Then `k m h < 1` and `c m < 1`, for which `v += m (k e - c v)`, `e -= h v` is stable (`k m h < 2 (2 - c m)`).
+//! The force is an input, constant in each communication step. Such a force could pump energy into a light point of a
+//! heavy mechanism. The step's own response bounds it: with the mobility `m` of the point, the change of its speed in a
+//! step of length `h` by a force of 1 N, the spring has the stiffness `k / (1 + k m h)` and the damper `c / (1 + c m)`.
+//! Then `k m h < 1` and `c m < 1`, for which `v += m (k e - c v)`, `e -= h v` is stable (`k m h < 2 (2 - c m)`).
 
 use super::grips::{self, Grip};
 use super::request::Request;
@@ -51,7 +53,8 @@ pub struct Session {
 }
 
 impl Session {
-    /// Builds the model of a request with its grips, and finds its initial state. `pace` is how many seconds of the run pass in one of the clock.
+    /// Builds the model of a request with its grips, and finds its initial state. `pace` is how many seconds of the run
+    /// pass in one of the clock.
     ///
     /// # Errors
     /// What is wrong with the model, or that nothing in it moves.
@@ -234,7 +237,8 @@ mod tests {
         length([0, 1, 2].map(|axis| a[axis] - b[axis]))
     }
 
-    /// The free end of the pendulum follows the pointer, stays there but for the stretch that lifts the weight, and falls when it is released.
+    /// The free end of the pendulum follows the pointer, stays there but for the stretch that lifts the weight, and
+    /// falls when it is released.
     #[test]
     fn a_point_follows_the_pointer_and_falls() {
         let mut session = Session::start(&request("pendulum.toml"), 1.0).unwrap();
@@ -245,7 +249,8 @@ mod tests {
         let before = distance(session.read(tip, 1), target);
         (0..360).for_each(|_| session.step().unwrap());
         let held = distance(session.read(tip, 1), target);
-        // The whole weight stretches the spring by LIFT of the size; a light point has a softer spring, by less than the factor 2.
+        // The whole weight stretches the spring by LIFT of the size; a light point has a softer spring, by less than
+        // the factor 2.
         let stretch = 2.0 * LIFT * session.recording.scene.size;
         assert!(held < stretch && before > 5.0 * stretch, "{before} m, then {held} m");
         // A double pendulum is chaotic: when it is at its lowest depends on the last digits.
@@ -263,7 +268,8 @@ mod tests {
         assert!(released < held - stretch, "{held} m, then {released} m");
     }
 
-    /// A pointer that jumps to and fro with a period near that of the spring, the worst that a hand can do, throws no grip out of reach, and stops no solver.
+    /// A pointer that jumps to and fro with a period near that of the spring, the worst that a hand can do, throws no
+    /// grip out of reach, and stops no solver.
     #[test]
     fn a_wild_drag_does_not_blow_up() {
         for (name, at) in

@@ -100,8 +100,8 @@ fn types(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
 /// no verdict.
 const NAMESPACE: [(&str, Cow<'static, str>); 1] = [("xmlns:ancf14", Cow::Borrowed("urn:ancf14"))];
 
-/// What the standard's own attributes cannot say: outputs depend on no input at the same communication point, and the directional derivative
-/// there is that of a whole step.
+/// What the standard's own attributes cannot say: outputs depend on no input at the same communication point, and the
+/// directional derivative there is that of a whole step.
 fn annotations(xml: &mut Xml) -> io::Result<()> {
     parent(xml, "VendorAnnotations", |xml| {
         let tool = xml.create_element("Tool").with_attribute(("name", "ancf14"));
@@ -156,8 +156,8 @@ fn type_attributes(variable: &Variable) -> Attributes<'_> {
     attributes
 }
 
-/// Outputs depend on nothing within the same communication point. What the initial values depend on is said where it is less than everything
-/// that is given, which the standard reads where nothing is said.
+/// Outputs depend on nothing within the same communication point. What the initial values depend on is said where it is
+/// less than everything that is given, which the standard reads where nothing is said.
 fn model_structure(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
     let places = |wanted: fn(&Variable) -> bool| -> Vec<usize> {
         let chosen = variables.iter().enumerate().filter(|(_, variable)| wanted(variable));

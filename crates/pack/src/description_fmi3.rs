@@ -1,5 +1,5 @@
-//! modelDescription.xml of FMI 3.0 (sections 2.4 and 4.4), from the same variable table as that of FMI 2.0: elements of one array become one
-//! variable, and references stay the same.
+//! modelDescription.xml of FMI 3.0 (sections 2.4 and 4.4), from the same variable table as that of FMI 2.0: elements of
+//! one array become one variable, and references stay the same.
 //!
 //! The same model gives the same bytes. A capability flag is true only where the function behind it does the work.
 

@@ -1,4 +1,5 @@
-//! documentation/index.html of the FMU: what the unit is, how it is used and coupled, and every variable, from the variable table.
+//! documentation/index.html of the FMU: what the unit is, how it is used and coupled, and every variable, from the
+//! variable table.
 
 use std::fmt::{Error, Write};
 
@@ -59,7 +60,8 @@ const BEHAVIOR: [&str; 12] = [
      not alive are refused.",
 ];
 
-/// What is different in a unit of FMI 3.0: beginnings of the sentences above, and what stands there instead; nothing leaves the sentence out.
+/// What is different in a unit of FMI 3.0: beginnings of the sentences above, and what stands there instead; nothing
+/// leaves the sentence out.
 const BEHAVIOR_FMI3: [(&str, &str); 4] = [
     (
         "What a host moves goes",
@@ -207,7 +209,8 @@ fn write_page(
     if !said.is_empty() {
         writeln!(out, "<p>{}</p>", said.join(" "))?;
     }
-    // A page in the page: it has its own style, its policy lets it load nothing, and its sandbox keeps it apart from this one.
+    // A page in the page: it has its own style, its policy lets it load nothing, and its sandbox keeps it apart from
+    // this one.
     let page = contents.page.replace('&', "&amp;").replace('\'', "&#39;");
     let (drawing, legend) = (contents.drawing, escape(contents.legend));
     let may = "allow-scripts allow-downloads allow-forms";

@@ -1,7 +1,8 @@
-//! Packs a model as an FMU: a zip archive of description, picture, libraries, model file, documentation and licences (FMI 2.0, section 2.3; FMI 3.0, section 2.5).
+//! Packs a model as an FMU: a zip archive of description, picture, libraries, model file, documentation and licences
+//! (FMI 2.0, section 2.3; FMI 3.0, section 2.5).
 //!
-//! All of it is made from [`About`](ancf14::fmi::About) and the variable table of a model, and from [`contents::Contents`]: [`package::fmu`].
-//! Nothing here prints or writes files.
+//! All of it is made from [`About`](ancf14::fmi::About) and the variable table of a model, and from
+//! [`contents::Contents`]: [`package::fmu`]. Nothing here prints or writes files.
 
 pub mod contents;
 pub mod description;

@@ -37,7 +37,8 @@ impl Platform {
         () => Self::Linux64,
     };
 
-    /// FMI 2.0's name of it, as in `--binary win64=PATH`. Where FMI 2.0 has none, it takes that of FMI 3.0 (FMI 2.0.5, section 2.3).
+    /// FMI 2.0's name of it, as in `--binary win64=PATH`. Where FMI 2.0 has none, it takes that of FMI 3.0 (FMI 2.0.5,
+    /// section 2.3).
     pub fn name(self) -> &'static str {
         match self {
             Self::Linux32 => "linux32",
@@ -115,7 +116,8 @@ impl Platform {
     }
 }
 
-/// The library that goes into an FMU: `given` by the user, else beside the executable, as cargo has just built it or as it is installed, else in `../lib`.
+/// The library that goes into an FMU: `given` by the user, else beside the executable, as cargo has just built it or as
+/// it is installed, else in `../lib`.
 ///
 /// # Errors
 /// It is in none of these places; the message says how to build it.
@@ -134,7 +136,8 @@ pub fn find_library(given: Option<&Path>, executable: &Path) -> Result<PathBuf, 
     }
 }
 
-/// The libraries for other platforms that lie beside `library`, in folders named as FMI 3.0 names the platforms: `x86_64-windows/ancf14.dll`.
+/// The libraries for other platforms that lie beside `library`, in folders named as FMI 3.0 names the platforms:
+/// `x86_64-windows/ancf14.dll`.
 pub fn find_others(library: &Path) -> Vec<(Platform, PathBuf)> {
     let folder = library.parent().unwrap_or(Path::new(""));
     let place = |platform: Platform| (platform, folder.join(platform.tuple()).join(platform.file_name()));

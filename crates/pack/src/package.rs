@@ -1,5 +1,5 @@
-//! The FMU: a zip archive of description, picture, libraries, model file, documentation and licences (FMI 2.0, section 2.3; FMI 3.0,
-//! section 2.5).
+//! The FMU: a zip archive of description, picture, libraries, model file, documentation and licences (FMI 2.0, section
+//! 2.3; FMI 3.0, section 2.5).
 //!
 //! The library is the same for every model; it reads `resources/model.toml` when it is instantiated. It is found by
 //! `--library PATH`, else beside the executable, else in `../lib`. The same input gives the same bytes: fixed order,
@@ -89,7 +89,8 @@ fn manifest() -> String {
     })
 }
 
-/// The model with a date: its own, or that of the sources that a build is of, s since 1970 (reproducible-builds.org); else none.
+/// The model with a date: its own, or that of the sources that a build is of, s since 1970 (reproducible-builds.org);
+/// else none.
 fn dated(about: &About, epoch: Option<&str>) -> About {
     let mut about = about.clone();
     about.credits.date = about.credits.date.or_else(|| epoch?.parse().ok().map(date));

@@ -1,9 +1,9 @@
-//! terminalsAndIcons/terminalsAndIcons.xml (FMI 3.0, section 2.4.9; FMI 2.0.4 and later, section 2.3): a terminal for each part that a host gives something or
-//! reads something of.
+//! terminalsAndIcons/terminalsAndIcons.xml (FMI 3.0, section 2.4.9; FMI 2.0.4 and later, section 2.3): a terminal for
+//! each part that a host gives something or reads something of.
 //!
-//! The variables `NAME.key` of inputs and outputs are the members of terminal `NAME`. Members match by name: an output with the position and the
-//! quaternion of a point connects to the frame of another unit whose motion is an input. FMI 2.0 has no arrays: there each element is a member,
-//! `position[1]` to `position[3]`.
+//! The variables `NAME.key` of inputs and outputs are the members of terminal `NAME`. Members match by name: an output
+//! with the position and the quaternion of a point connects to the frame of another unit whose motion is an input. FMI
+//! 2.0 has no arrays: there each element is a member, `position[1]` to `position[3]`.
 
 use std::io;
 
@@ -94,7 +94,8 @@ fn terminal(
     Ok(())
 }
 
-/// The quantity that a member is, under the name that outputs have for it: what one unit reads is what another one is given.
+/// The quantity that a member is, under the name that outputs have for it: what one unit reads is what another one is
+/// given.
 fn member_name<'a>(member: &Array<'a>, variable: &Variable) -> &'a str {
     let key = member.name.rsplit_once('.').map_or(member.name, |(_, key)| key);
     match (key, variable.quantity.unit.as_str()) {

@@ -1,4 +1,5 @@
-//! Arrays for numpy: an archive that `numpy.load` reads (NPZ), which is a zip archive with a file in the format NPY 1.0 for each array.
+//! Arrays for numpy: an archive that `numpy.load` reads (NPZ), which is a zip archive with a file in the format NPY 1.0
+//! for each array.
 
 use std::io::{Cursor, Write};
 use zip::{CompressionMethod, DateTime, ZipWriter, result::ZipResult, write::SimpleFileOptions};
@@ -14,7 +15,8 @@ pub enum Array<'a> {
     Words(Vec<&'a str>),
 }
 
-/// The bytes of an archive of named arrays, not compressed, because doubles hardly shrink. The same arrays give the same bytes.
+/// The bytes of an archive of named arrays, not compressed, because doubles hardly shrink. The same arrays give the
+/// same bytes.
 ///
 /// # Errors
 /// The archive does not take an entry.
@@ -67,7 +69,8 @@ impl Array<'_> {
 mod tests {
     use super::*;
 
-    /// The file of the numbers 1 and -2, byte by byte, as numpy 2.4 writes it: `numpy.save(file, numpy.array([1.0, -2.0]))`.
+    /// The file of the numbers 1 and -2, byte by byte, as numpy 2.4 writes it:
+    /// `numpy.save(file, numpy.array([1.0, -2.0]))`.
     #[test]
     fn a_file_as_numpy_writes_it() {
         let bytes = Array::Reals(&[1.0, -2.0]).npy();

@@ -9,7 +9,8 @@ use std::error::Error;
 
 /// Columns that are drawn: the worst ones.
 const DRAWN: usize = 30;
-/// Widths of the picture and of the names in it, heights of a column, of the title and of what stands beside it, pixels.
+/// Widths of the picture and of the names in it, heights of a column, of the title and of what stands beside it,
+/// pixels.
 const WIDTH: u32 = 960;
 const NAMES: u32 = 260;
 const ROW: u32 = 26;

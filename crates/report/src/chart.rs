@@ -305,7 +305,8 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     (low - margin, high + margin)
 }
 
-/// A number at an axis of this span: as many digits as tell neighbors apart, an exponent where numbers are large or small.
+/// A number at an axis of this span: as many digits as tell neighbors apart, an exponent where numbers are large or
+/// small.
 fn tick(value: f64, span: f64) -> String {
     if value.abs() < 1e-9 * span {
         return "0".to_owned();
@@ -378,7 +379,8 @@ mod tests {
         assert!(rises.len() == 300 && rises.iter().all(|rise| (rise - rises[0]).abs() <= 1.0), "{rises:?}");
     }
 
-    /// A small curve next to a large one has a panel of its own, as high as that of the large one; the picture grows, and its names stay those of the curves.
+    /// A small curve next to a large one has a panel of its own, as high as that of the large one; the picture grows,
+    /// and its names stay those of the curves.
     #[test]
     fn small_curves_have_a_panel() {
         let line = |name: &str, color, size: f64| {

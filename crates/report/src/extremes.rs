@@ -49,8 +49,9 @@ impl Extremes {
     }
 }
 
-/// Places of the columns that a table of at most `most` lines shows, in their order. Each quantity of an output gets the component that ranges the furthest, of a
-/// beam at the station where it does; then the second ones come, as far as there is room. Energies, momenta, counts and components that are zero are left out.
+/// Places of the columns that a table of at most `most` lines shows, in their order. Each quantity of an output gets
+/// the component that ranges the furthest, of a beam at the station where it does; then the second ones come, as far as
+/// there is room. Energies, momenta, counts and components that are zero are left out.
 pub fn chosen(columns: &[Extremes], most: usize) -> Vec<usize> {
     // A line for each component, along a beam too, with the column that stands for it.
     let mut lines: Vec<(Name<'_>, usize)> = Vec::new();
@@ -101,7 +102,8 @@ mod tests {
         }
     }
 
-    /// Every quantity is there before a second component of any; what moves comes before what is merely large, and round-off does not come at all.
+    /// Every quantity is there before a second component of any; what moves comes before what is merely large, and
+    /// round-off does not come at all.
     #[test]
     fn a_short_table_has_something_of_everything() {
         let columns = [

@@ -1,4 +1,5 @@
-//! The page of a run: one HTML file with the drawing, all charts, a table of extremes, warnings and links to the other files.
+//! The page of a run: one HTML file with the drawing, all charts, a table of extremes, warnings and links to the other
+//! files.
 
 use crate::draw::escaped;
 use crate::extremes::{Extremes, Peak, chosen};

@@ -1,4 +1,5 @@
-//! Which curves share a panel of a chart: those whose sizes are alike, so that none looks flat because another one is large.
+//! Which curves share a panel of a chart: those whose sizes are alike, so that none looks flat because another one is
+//! large.
 
 /// A curve that spans less than this share of the axis looks flat: it gets a panel of its own.
 const FLAT: f64 = 0.1;
@@ -38,7 +39,8 @@ pub fn panels(spans: &[Option<Span>]) -> Vec<Vec<usize>> {
 mod tests {
     use super::*;
 
-    /// A sag of 0.7 mm is seen next to 5 m of travel; curves that are alike stay together, and zero goes with any of them.
+    /// A sag of 0.7 mm is seen next to 5 m of travel; curves that are alike stay together, and zero goes with any of
+    /// them.
     #[test]
     fn small_curves_are_not_flat() {
         let of = |spans: &[Span]| panels(&spans.iter().copied().map(Some).collect::<Vec<_>>());

@@ -1,5 +1,5 @@
-//! Plots of results: one SVG per quantity of an output, its components as lines over time; of a quantity at the stations of a beam the
-//! shape at some instants; and one of the energies.
+//! Plots of results: one SVG per quantity of an output, its components as lines over time; of a quantity at the
+//! stations of a beam the shape at some instants; and one of the energies.
 
 use crate::chart::{Chart, Layout, Line, Stroke};
 use crate::column::Name;
@@ -36,7 +36,8 @@ enum Kind {
 }
 
 impl Plot {
-    /// All plots of these columns. Components belong together, and so do the energies; momenta and counts are in the table only.
+    /// All plots of these columns. Components belong together, and so do the energies; momenta and counts are in the
+    /// table only.
     pub fn all(columns: &[Column], document: &Document) -> Vec<Self> {
         let is_beam = |name: &str| {
             document.outputs.iter().any(|output| output.name == name && matches!(output.target, Target::On { .. }))
@@ -195,7 +196,8 @@ mod tests {
 
     const MODEL: &str = include_str!("../../../models/ring.toml");
 
-    /// Components and energies are lines of one plot; a beam's positions are a shape, its other quantities a plot per component.
+    /// Components and energies are lines of one plot; a beam's positions are a shape, its other quantities a plot per
+    /// component.
     #[test]
     fn columns_are_grouped() {
         let document = Document::parse("ring.toml", MODEL, &[]).unwrap();

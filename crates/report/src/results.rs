@@ -87,8 +87,8 @@ impl Results {
         self.kept = Some(Kept { time: Vec::new(), columns: vec![Vec::new(); count], are_whole: vec![false; count] });
     }
 
-    /// The bytes of results.npz, with the numbers of results.csv: an array for each column, `time` among them, and the texts `columns` and `units`, in the order of
-    /// results.csv. None if the rows were not kept.
+    /// The bytes of results.npz, with the numbers of results.csv: an array for each column, `time` among them, and the
+    /// texts `columns` and `units`, in the order of results.csv. None if the rows were not kept.
     ///
     /// # Errors
     /// The archive does not take an entry; the text says why.
@@ -189,7 +189,8 @@ fn push(text: &mut String, value: Value) {
     };
 }
 
-/// The whole of results.csv, from rows that a program has gathered: the names of the columns, and rows of a time, s, and a value for each column.
+/// The whole of results.csv, from rows that a program has gathered: the names of the columns, and rows of a time, s,
+/// and a value for each column.
 pub fn table<'a>(names: impl Iterator<Item = &'a str>, rows: impl Iterator<Item = (f64, Vec<Value>)>) -> String {
     let mut text = header(names);
     for (time, values) in rows {

@@ -7,7 +7,8 @@ use std::f64::consts::TAU;
 pub const TABLE: [[f64; 3]; 4] =
     [[0.0, 3.8238, 18.3173], [2.0, 4.4368, 18.9366], [4.0, 5.8788, 20.6852], [5.0, 6.7434, 21.9053]];
 
-/// First collective flapwise, first asymmetric edgewise (yaw), second collective flapwise of the reference turbine, Hz: FAST and ADAMS.
+/// First collective flapwise, first asymmetric edgewise (yaw), second collective flapwise of the reference turbine, Hz:
+/// FAST and ADAMS.
 pub const REPORT: [[f64; 2]; 3] = [[0.6993, 0.7019], [1.0898, 1.0877], [2.0205, 2.0175]];
 
 const LENGTH: f64 = 2.0;
@@ -22,8 +23,8 @@ fn time_scale() -> f64 {
     (mass * LENGTH.powi(4) / stiffness).sqrt()
 }
 
-/// The angular frequency near `expected`, rad/s, at which the spectrum of `signal` is largest, seen through a Hann window: several periods away from any other frequency its error is far below a
-/// period in the record.
+/// The angular frequency near `expected`, rad/s, at which the spectrum of `signal` is largest, seen through a Hann
+/// window: several periods away from any other frequency its error is far below a period in the record.
 fn peak(time: &[f64], signal: &[f64], expected: f64) -> f64 {
     let (begin, duration) = (time[0], time[time.len() - 1] - time[0]);
     let power = |frequency: f64| {

@@ -1,4 +1,5 @@
-//! The integrators by names of tests: `conserving`, `undamped`, which is `conserving` without numerical dissipation, and `generalized_alpha`.
+//! The integrators by names of tests: `conserving`, `undamped`, which is `conserving` without numerical dissipation,
+//! and `generalized_alpha`.
 
 /// The override of a model file that takes the integrator.
 pub fn setting(name: &str) -> (&'static str, &'static str) {

@@ -1,4 +1,5 @@
-//! What tests, benchmarks and the generated pages share: runs of model files, a toy model, golden files, random numbers.
+//! What tests, benchmarks and the generated pages share: runs of model files, a toy model, golden files, random
+//! numbers.
 #![allow(missing_docs, reason = "only tests and programs of this repository use it")]
 #![allow(clippy::unwrap_used, reason = "an unmet expectation is a failed test")]
 

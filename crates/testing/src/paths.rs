@@ -99,7 +99,8 @@ impl Case {
     }
 }
 
-/// Follows a path to `stop`, `every` arc length from one row to the next; returns the values of `names` in each row, and what is told.
+/// Follows a path to `stop`, `every` arc length from one row to the next; returns the values of `names` in each row,
+/// and what is told.
 pub fn follow(simulation: &mut Simulation, every: f64, stop: f64, names: &[&str]) -> (Vec<Vec<f64>>, Vec<String>) {
     let row = |simulation: &Simulation| names.iter().map(|name| value(simulation, name)).collect();
     let (mut rows, mut told) = (vec![row(simulation)], simulation.take_warnings());
@@ -136,7 +137,8 @@ pub struct Arch {
 }
 
 impl Arch {
-    /// A shallow one that is clamped, and a deep one of 215 degrees that is hinged at one foot and clamped at the other, under loads at the crown and along them.
+    /// A shallow one that is clamped, and a deep one of 215 degrees that is hinged at one foot and clamped at the
+    /// other, under loads at the crown and along them.
     pub fn all() -> [(&'static str, Self); 5] {
         let shallow = |follower| Self {
             half: 0.5,
@@ -206,7 +208,8 @@ impl Arch {
     }
 }
 
-/// A round rod that is straight without stress, clamped at its start; its end slides along its axis, or closes a ring, and is turned by `10 t` rad.
+/// A round rod that is straight without stress, clamped at its start; its end slides along its axis, or closes a ring,
+/// and is turned by `10 t` rad.
 pub struct Twisted {
     pub text: String,
     pub rod: TwistedRod,
@@ -214,8 +217,9 @@ pub struct Twisted {
 }
 
 impl Twisted {
-    /// A length of 1 m and rigidities of 1 and 0.75 N m²; the path goes over to the buckled one. Of the equilibria that are alike but for a turn about the axis, or for a shift along
-    /// the ring, `level` and `even` choose one: they exert no force.
+    /// A length of 1 m and rigidities of 1 and 0.75 N m²; the path goes over to the buckled one. Of the equilibria that
+    /// are alike but for a turn about the axis, or for a shift along the ring, `level` and `even` choose one: they
+    /// exert no force.
     pub fn new(elements: usize, is_ring: bool) -> Self {
         let (line, grip, even, end, stop) = if is_ring {
             let line = "curve = { x = \"sin(2*pi*s)/(2*pi)\", y = \"(1 - cos(2*pi*s))/(2*pi)\", z = 0, s = [0, 1] }\nfree_curvature = [0, 0]";

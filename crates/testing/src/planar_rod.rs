@@ -1,4 +1,5 @@
-//! Frames and arches as extensible rods in a plane, integrated by Runge and Kutta's method and shot at the far end: the equilibrium near a given one.
+//! Frames and arches as extensible rods in a plane, integrated by Runge and Kutta's method and shot at the far end: the
+//! equilibrium near a given one.
 //!
 //! The plane is that of x and z; angles go from x to z, against turns about y.
 
@@ -54,7 +55,8 @@ pub struct Point {
     pub place: [f64; 2],
     /// The load, N or N/m.
     pub load: f64,
-    /// Reactions at the start: its turn about y (rad) if it is hinged, the moment of the support about y (N m) if it is clamped; then the force of the support (N).
+    /// Reactions at the start: its turn about y (rad) if it is hinged, the moment of the support about y (N m) if it is
+    /// clamped; then the force of the support (N).
     pub start: [f64; 3],
 }
 
@@ -65,7 +67,8 @@ const STEPS: usize = 100;
 type State = [f64; 6];
 
 impl Rod {
-    /// The largest distance of inner `points` from the path of this rod, [`Self::near`]: displacements and loads over the scales.
+    /// The largest distance of inner `points` from the path of this rod, [`Self::near`]: displacements and loads over
+    /// the scales.
     pub fn distance_from(&self, points: &[Point]) -> f64 {
         let distance = |(own, place): (&Point, [f64; 3])| {
             let own = self.scaled(own);
@@ -74,7 +77,8 @@ impl Rod {
         points[1..].iter().zip(self.near(points)).map(distance).fold(0.0, f64::max)
     }
 
-    /// The points of the path of this rod near the inner ones of `points`, each in the plane across the way from the point before to the point after: displacements and load over the scales.
+    /// The points of the path of this rod near the inner ones of `points`, each in the plane across the way from the
+    /// point before to the point after: displacements and load over the scales.
     pub fn near(&self, points: &[Point]) -> Vec<[f64; 3]> {
         let mut found = Vec::new();
         for three in points.windows(3) {
@@ -125,7 +129,8 @@ impl Rod {
         [x / length, z / length, load / force]
     }
 
-    /// What the far end is off by, and how far the watched place is from the plane through `own` across `way`; and where the watched place is.
+    /// What the far end is off by, and how far the watched place is from the plane through `own` across `way`; and
+    /// where the watched place is.
     fn residual(&self, unknowns: &[f64; 4], own: &[f64; 3], way: &[f64; 3]) -> (Vector4<f64>, [f64; 3]) {
         let [first, x, z, load] = *unknowns;
         let (turn, moment) = if self.supports[0] == Support::Hinge { (first, 0.0) } else { (0.0, first) };

@@ -1,4 +1,5 @@
-//! A round rod in space, straight without stress and clamped at its start, whose end is turned about its tangent: integrated by Runge and Kutta's method and shot at the end.
+//! A round rod in space, straight without stress and clamped at its start, whose end is turned about its tangent:
+//! integrated by Runge and Kutta's method and shot at the end.
 
 use crate::integrate::runge_kutta;
 use ancf14::math::Vec3;
@@ -40,7 +41,8 @@ const CONDITIONS: usize = 9;
 type State = [Vec3; 4];
 
 impl TwistedRod {
-    /// The largest distance of inner `points` from the path of this rod, in the plane across the way from the point before to the point after: displacements over the length, turns over a whole one.
+    /// The largest distance of inner `points` from the path of this rod, in the plane across the way from the point
+    /// before to the point after: displacements over the length, turns over a whole one.
     pub fn distance_from(&self, points: &[Point]) -> f64 {
         let mut worst = 0.0;
         for three in points.windows(3) {
@@ -66,7 +68,8 @@ impl TwistedRod {
                     let moved = self.residual(&moved, &own, &way).0;
                     jacobian.set_column(column, &((moved - residual) / (1e-6 * size)));
                 }
-                // Of the equilibria that are alike but for a turn, or a shift along the ring, middle and quarter choose one: more conditions than unknowns.
+                // Of the equilibria that are alike but for a turn, or a shift along the ring, middle and quarter choose
+                // one: more conditions than unknowns.
                 let change = jacobian.svd(true, true).solve(&residual, 1e-12).expect("both factors are there");
                 unknowns -= change;
             }
@@ -82,7 +85,8 @@ impl TwistedRod {
         SVector::<f64, 4>::new(middle.x, middle.y, middle.z, turn / std::f64::consts::TAU)
     }
 
-    /// What the end is off by, and how far the middle is from the plane through `own` across `way`; and where the middle is.
+    /// What the end is off by, and how far the middle is from the plane through `own` across `way`; and where the
+    /// middle is.
     fn residual(
         &self,
         unknowns: &SVector<f64, UNKNOWNS>,

@@ -1,4 +1,5 @@
-//! Rods that are given by their rigidities, thick as rectangles that have these, and where their tips must be: `M = EI κ`, `T = GJ τ`, `N = EA ε`, with strains per undeformed length.
+//! Rods that are given by their rigidities, thick as rectangles that have these, and where their tips must be:
+//! `M = EI κ`, `T = GJ τ`, `N = EA ε`, with strains per undeformed length.
 
 use crate::integrate::runge_kutta;
 use ancf14::math::Vec3;
@@ -14,7 +15,8 @@ pub const WINDING: &str = "force = [0, 0, \"50*t\"]\nmoment = [0, 0, \"200*pi*t\
 /// Steps of the rule of Runge and Kutta along a rod: halved, nothing changes by more than 1e-8 m.
 const STEPS: u32 = 4000;
 
-/// A rod of `length` m along x in `elements` elements, held at its start and loaded at its end; `section` and `load` are keys, and `beam` those of the beam.
+/// A rod of `length` m along x in `elements` elements, held at its start and loaded at its end; `section` and `load`
+/// are keys, and `beam` those of the beam.
 pub fn rod(section: &str, (length, elements, beam): (f64, usize, &str), load: &str) -> String {
     format!(
         "format = 1
@@ -50,7 +52,8 @@ pub fn rod(section: &str, (length, elements, beam): (f64, usize, &str), load: &s
     )
 }
 
-/// The place, along and across, of the tip of a cantilever with the force `P` across it, its bending rigidity `EI`, its axial one `EA` and its length, by shooting: `θ'' = −P cos θ (1 + P sin θ/EA)/EI`.
+/// The place, along and across, of the tip of a cantilever with the force `P` across it, its bending rigidity `EI`, its
+/// axial one `EA` and its length, by shooting: `θ'' = −P cos θ (1 + P sin θ/EA)/EI`.
 pub fn elastica([force, bending, axial, length]: [f64; 4]) -> [f64; 2] {
     let step = length / f64::from(STEPS);
     let slope = |[theta, bend, _, _]: &[f64; 4]| {
@@ -72,10 +75,12 @@ pub fn elastica([force, bending, axial, length]: [f64; 4]) -> [f64; 2] {
     [along, across]
 }
 
-/// How far the tip of a rod of 10 m and of the rigidities [`ROUND`] moves along z at each of `count` equal shares of the loads [`WINDING`], m.
+/// How far the tip of a rod of 10 m and of the rigidities [`ROUND`] moves along z at each of `count` equal shares of
+/// the loads [`WINDING`], m.
 ///
-/// With `EI = GJ` the moment in the world is `EI` times the turn of the tangent per length: `t' = (m + p × f) × t/EI` and `p' = −(1 + f·t/EA) t`, where `p` is the way to the tip. Both loads are along
-/// z, so that a turn about z changes nothing, and one number is sought: the height of the tangent at the tip with which it is 0 at the root.
+/// With `EI = GJ` the moment in the world is `EI` times the turn of the tangent per length: `t' = (m + p × f) × t/EI`
+/// and `p' = −(1 + f·t/EA) t`, where `p` is the way to the tip. Both loads are along z, so that a turn about z changes
+/// nothing, and one number is sought: the height of the tangent at the tip with which it is 0 at the root.
 pub fn helix(count: u32) -> Vec<f64> {
     let mut heights = [0.0; 2];
     let at = |share: f64, heights: &mut [f64; 2]| {

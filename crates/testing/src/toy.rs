@@ -1,4 +1,5 @@
-//! A model of one line, `x' = gain * force`, with traps: it can be told to fail or to panic, and counts what it is asked.
+//! A model of one line, `x' = gain * force`, with traps: it can be told to fail or to panic, and counts what it is
+//! asked.
 
 use ancf14::fmi::{
     About, Credits, Failure, LogCategory, Model, Value,

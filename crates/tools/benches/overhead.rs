@@ -116,7 +116,8 @@ impl Place {
     }
 }
 
-/// An initialized instance. It is live until it is dropped, which is what all calls below need; arrays have the lengths given.
+/// An initialized instance. It is live until it is dropped, which is what all calls below need; arrays have the lengths
+/// given.
 struct Instance(*mut c_void);
 
 impl Instance {
@@ -171,8 +172,8 @@ fn row(what: &str, measured: f64, goal: f64, unit: (&str, f64)) {
 const MICRO: (&str, f64) = ("us", 1e6);
 const NANO: (&str, f64) = ("ns", 1e9);
 
-/// The same steps by the model and through C, in turns, so that both see the same machine: the median of the model's, and that of the
-/// differences, s.
+/// The same steps by the model and through C, in turns, so that both see the same machine: the median of the model's,
+/// and that of the differences, s.
 fn steps(place: &Place) -> (f64, f64) {
     let step = place.model.about().output_step;
     let mut model = Simulation::load("model.toml", &place.text, &[]).unwrap();

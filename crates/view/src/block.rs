@@ -16,7 +16,8 @@ pub enum Effort {
 }
 
 impl Effort {
-    /// Level of the compression, of 10. Level 8 takes a quarter to a third of the time of the simulation, level 1 a fifth of that; its text is 15 to 30 % longer.
+    /// Level of the compression, of 10. Level 8 takes a quarter to a third of the time of the simulation, level 1 a
+    /// fifth of that; its text is 15 to 30 % longer.
     fn level(self) -> u8 {
         match self {
             Self::Small => 8,
@@ -38,8 +39,9 @@ pub struct Quantized {
     pub data: String,
 }
 
-/// The values of a track, each as one of 65536 steps from the lowest to the highest of its component. Component after component, thing after thing, instant after
-/// instant; of these integers differences are taken, twice from instant to instant and twice from thing to thing: motions are smooth, and so are beams.
+/// The values of a track, each as one of 65536 steps from the lowest to the highest of its component. Component after
+/// component, thing after thing, instant after instant; of these integers differences are taken, twice from instant to
+/// instant and twice from thing to thing: motions are smooth, and so are beams.
 pub fn quantized(track: &Track, effort: Effort) -> Quantized {
     let Track { components, things, values, .. } = track;
     let width = components * things;
@@ -72,7 +74,8 @@ fn difference(words: &mut [u16], stride: usize) {
     }
 }
 
-/// Doubles, exactly: each as its bits exclusive-or those before, the bytes of one place after those of another, the highest first.
+/// Doubles, exactly: each as its bits exclusive-or those before, the bytes of one place after those of another, the
+/// highest first.
 pub fn doubles(values: &[f64], effort: Effort) -> String {
     let mut before = 0;
     let changes: Vec<u64> = values

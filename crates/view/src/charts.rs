@@ -97,8 +97,8 @@ impl Charts {
     }
 }
 
-/// The chart that a column belongs into: components of a quantity are together, of a whole beam the stations of one component; so are all energies, and all
-/// counts.
+/// The chart that a column belongs into: components of a quantity are together, of a whole beam the stations of one
+/// component; so are all energies, and all counts.
 fn group(name: &str) -> String {
     let (quantity, index) = name.split_once('[').unwrap_or((name, ""));
     match (quantity.split_once('.'), index.trim_end_matches(']').split_once(',')) {

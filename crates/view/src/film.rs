@@ -1,4 +1,5 @@
-//! A simulation as the page will show it: recorded row by row, thinned out where there are too many, written in the end.
+//! A simulation as the page will show it: recorded row by row, thinned out where there are too many, written in the
+//! end.
 
 use super::block::{Effort, doubles};
 use super::charts::Charts;

@@ -1,5 +1,5 @@
-//! The page that shows a mechanism move: one HTML file (docs/viewer.md). It may bring the solver, which simulates the model anew in the page, or ask the
-//! program that serves it for the data of each new run.
+//! The page that shows a mechanism move: one HTML file (docs/viewer.md). It may bring the solver, which simulates the
+//! model anew in the page, or ask the program that serves it for the data of each new run.
 //!
 //! Nothing here prints or writes files.
 

@@ -11,7 +11,8 @@ const STYLE: &str = include_str!("../../../viewer/dist/viewer.css");
 /// Licences of all that is linked into the solver; made by scripts/licenses.py.
 const LICENCES: &str = include_str!("../../../licenses/solver.txt");
 
-/// The page with `@@names@@` for what goes into it. Its policy lets a browser load nothing but what is written in the page.
+/// The page with `@@names@@` for what goes into it. Its policy lets a browser load nothing but what is written in the
+/// page.
 const TEMPLATE: &str = include_str!("page.html");
 const MARK: &str = "@@";
 

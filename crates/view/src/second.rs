@@ -34,7 +34,8 @@ pub struct Second {
 }
 
 impl Shown {
-    /// The run that a page shows, the first one of two; none if the text is not a page with data that this version reads.
+    /// The run that a page shows, the first one of two; none if the text is not a page with data that this version
+    /// reads.
     pub fn of_page(page: &str) -> Option<Self> {
         let json = data(page)?;
         let found: Value = serde_json::from_str(json).ok()?;

@@ -1,7 +1,8 @@
 //! A file of VTK's XML format with points, lines or polygons, `.vtp`, and the list of such files over time, `.pvd`.
 //!
-//! Arrays stand behind the XML as they are in memory (appended, raw), each as one block of zlib, which is what ParaView itself writes. The deflate of miniz_oxide
-//! does not look at the processor: the same numbers make the same bytes everywhere.
+//! Arrays stand behind the XML as they are in memory (appended, raw), each as one block of zlib, which is what ParaView
+//! itself writes. The deflate of miniz_oxide does not look at the processor: the same numbers make the same bytes
+//! everywhere.
 
 use quick_xml::Writer;
 use quick_xml::events::BytesText;
@@ -131,7 +132,8 @@ impl Appended {
         Ok(())
     }
 
-    /// Appends bytes: number of blocks, size of each, size of a last one that is smaller (0: none), compressed sizes, blocks.
+    /// Appends bytes: number of blocks, size of each, size of a last one that is smaller (0: none), compressed sizes,
+    /// blocks.
     fn append(&mut self, bytes: &[u8]) {
         let mut number = |number: usize| self.0.extend((number as u64).to_le_bytes());
         if bytes.is_empty() {
@@ -253,7 +255,8 @@ mod tests {
         tags.map(array).collect()
     }
 
-    /// What is written is what is read: numbers bit for bit, whole numbers, names of any letters, and arrays without anything in them.
+    /// What is written is what is read: numbers bit for bit, whole numbers, names of any letters, and arrays without
+    /// anything in them.
     #[test]
     fn arrays_are_read_back() {
         let numbers = [0.1, f64::NAN, -0.0, 1e-300];

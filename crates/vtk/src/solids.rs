@@ -45,8 +45,9 @@ mod tests {
         triangles.map(|[a, b, c]| product(corners[a], corners[b], corners[c]) / 6.0).sum()
     }
 
-    /// The surface of a solid is closed and seen from outside: a face that is missing or turned round changes the volume. A prism of n sides has
-    /// `n/2 r² sin(2π/n)` of the area of its circle. Rounding: some units of the last place.
+    /// The surface of a solid is closed and seen from outside: a face that is missing or turned round changes the
+    /// volume. A prism of n sides has `n/2 r² sin(2π/n)` of the area of its circle. Rounding: some units of the last
+    /// place.
     #[test]
     fn surfaces_enclose_their_volume() {
         let of_box = volume(&surface(Solid::Box([0.1, 0.2, 0.4])));

@@ -1,7 +1,7 @@
 //! Which elements of which variables an element depends on (FMI 3.0, section 2.2.10).
 //!
-//! At a communication point an output depends on no input. Until the end of the initialization it depends on what its initial value is found
-//! from.
+//! At a communication point an output depends on no input. Until the end of the initialization it depends on what its
+//! initial value is found from.
 
 use super::Instance;
 use crate::fmi::{
@@ -36,10 +36,12 @@ impl<M: Model> Instance<M> {
         }
     }
 
-    /// The dependencies of a variable: the element of it, the variable that it depends on, and the element of that one, from 1.
+    /// The dependencies of a variable: the element of it, the variable that it depends on, and the element of that one,
+    /// from 1.
     ///
     /// # Errors
-    /// The mode does not allow it, the variable is not calculated, or the lists are of another length; nothing is written then.
+    /// The mode does not allow it, the variable is not calculated, or the lists are of another length; nothing is
+    /// written then.
     pub fn dependencies(
         &self,
         dependent: u32,

@@ -12,7 +12,8 @@ impl<M: Model> Instance<M> {
     /// Sets first derivatives of Real inputs by time, for the next step only (section 4.2.1).
     ///
     /// # Errors
-    /// The mode does not allow it, a reference is no input, an order is not 1, or a derivative is not finite; none is changed then.
+    /// The mode does not allow it, a reference is no input, an order is not 1, or a derivative is not finite; none is
+    /// changed then.
     pub fn set_real_input_derivatives(
         &mut self,
         references: &[u32],
@@ -37,7 +38,8 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// Reads first derivatives of Real outputs by time, 1/s of their units (section 4.2.1); in Initialization Mode too, of the initial state.
+    /// Reads first derivatives of Real outputs by time, 1/s of their units (section 4.2.1); in Initialization Mode too,
+    /// of the initial state.
     ///
     /// # Errors
     /// The mode does not allow it, a reference is no output, an order is not 1, or the initial state cannot be found.
@@ -85,11 +87,13 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// The change of `unknowns` when `knowns` change by `seeds` (section 2.1.9): of outputs at the end of the last step with the inputs of that
-    /// step, none before there is a step; in Initialization Mode of what is calculated with the inputs and parameters that it follows from.
+    /// The change of `unknowns` when `knowns` change by `seeds` (section 2.1.9): of outputs at the end of the last step
+    /// with the inputs of that step, none before there is a step; in Initialization Mode of what is calculated with the
+    /// inputs and parameters that it follows from.
     ///
     /// # Errors
-    /// The mode does not allow it, an unknown or a known is none in this mode, or there is no derivative; none is written then.
+    /// The mode does not allow it, an unknown or a known is none in this mode, or there is no derivative; none is
+    /// written then.
     pub fn directional_derivative(
         &mut self,
         unknowns: &[u32],
@@ -114,8 +118,9 @@ impl<M: Model> Instance<M> {
         Ok(())
     }
 
-    /// The transposed product (FMI 3.0, section 2.2.11): for each of the `knowns` the sum of the derivatives of the `unknowns` with respect to it, each
-    /// times its seed. The model has the derivatives of the step with respect to all inputs once they have been asked for.
+    /// The transposed product (FMI 3.0, section 2.2.11): for each of the `knowns` the sum of the derivatives of the
+    /// `unknowns` with respect to it, each times its seed. The model has the derivatives of the step with respect to
+    /// all inputs once they have been asked for.
     ///
     /// # Errors
     /// As [`Self::directional_derivative`].
@@ -189,7 +194,8 @@ impl<M: Model> Instance<M> {
         self.finite(sum, unknown)
     }
 
-    /// The adjoint derivative of one known: the sum of the derivatives of the unknowns with respect to it, each times its seed.
+    /// The adjoint derivative of one known: the sum of the derivatives of the unknowns with respect to it, each times
+    /// its seed.
     fn adjoint(&mut self, unknowns: &[u32], seeds: &[f64], known: u32) -> Result<f64, Error> {
         let mut sum = 0.0;
         for (&unknown, &seed) in unknowns.iter().zip(seeds) {

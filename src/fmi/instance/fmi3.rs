@@ -158,7 +158,8 @@ impl<M: Model> Instance<M> {
         })
     }
 
-    /// Begins a communication step that is taken in parts (section 4.2.1): [`Self::take_part`] until it arrives, each followed by
+    /// Begins a communication step that is taken in parts (section 4.2.1): [`Self::take_part`] until it arrives, each
+    /// followed by
     /// [`Self::go_on`] or [`Self::return_early`].
     ///
     /// # Errors

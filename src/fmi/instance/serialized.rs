@@ -1,7 +1,9 @@
-//! FMU states as bytes (FMI 2.0, section 2.1.8): a header that tells foreign, truncated and damaged bytes apart, then the state.
+//! FMU states as bytes (FMI 2.0, section 2.1.8): a header that tells foreign, truncated and damaged bytes apart, then
+//! the state.
 //!
-//! Header: magic, version of the layout, length and checksum of what follows; little endian. Then the GUID of the model, the instance's
-//! own data and the model's. They may come from another process, and from anywhere: nothing is believed that is not checked.
+//! Header: magic, version of the layout, length and checksum of what follows; little endian. Then the GUID of the
+//! model, the instance's own data and the model's. They may come from another process, and from anywhere: nothing is
+//! believed that is not checked.
 
 use super::{Control, FmuState, Instance};
 use crate::fmi::{
@@ -57,7 +59,8 @@ impl<M: Model> Instance<M> {
         Ok(seal(&MAGIC, self.model.write(&state.model, bytes.expect("a Vec takes every byte"))))
     }
 
-    /// The state that was serialized to `bytes`, of this or another instance, in this or another process (section 2.1.8).
+    /// The state that was serialized to `bytes`, of this or another instance, in this or another process (section
+    /// 2.1.8).
     ///
     /// # Errors
     /// The mode does not allow it; or the bytes are foreign, truncated, damaged, or of another model.

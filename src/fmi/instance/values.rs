@@ -259,7 +259,8 @@ fn is_result(variable: &Variable) -> bool {
     variable.causality == Causality::Output
 }
 
-/// Parameters and inputs up to the end of the initialization, afterwards inputs and tunable parameters; between internal steps continuous inputs.
+/// Parameters and inputs up to the end of the initialization, afterwards inputs and tunable parameters; between
+/// internal steps continuous inputs.
 fn may_be_set(variable: &Variable, mode: Mode) -> Result<(), Error> {
     match (variable.causality, variable.variability) {
         (Causality::Input, Variability::Continuous) => Ok(()),

@@ -1,13 +1,13 @@
 //! Which call of FMI 3.0 is legal in which mode (sections 2.3 and 4.2.1).
 //!
-//! The unit has neither events nor clocks nor structural parameters, so the modes Event, Configuration and Reconfiguration do not occur. The
-//! standard terminates an instance whose call returned an error; here only a failed step does, and an instance goes on after any other
-//! refused call.
+//! The unit has neither events nor clocks nor structural parameters, so the modes Event, Configuration and
+//! Reconfiguration do not occur. The standard terminates an instance whose call returned an error; here only a failed
+//! step does, and an instance goes on after any other refused call.
 
 use super::Call;
 
-/// One row per call, one column per mode, in the order of [`super::Mode`]: `x` legal, `.` an error, `~` legal here though the standard
-/// forbids it. A call that is not listed is never legal; [`never`] says why.
+/// One row per call, one column per mode, in the order of [`super::Mode`]: `x` legal, `.` an error, `~` legal here
+/// though the standard forbids it. A call that is not listed is never legal; [`never`] says why.
 ///
 /// - Output derivatives of the initial state may be read in Initialization Mode, like the outputs themselves.
 /// - Memory can be given back after an internal fault.

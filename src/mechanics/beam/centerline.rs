@@ -1,4 +1,5 @@
-//! The line of a beam as drawn: its nodes with exact tangents and arc lengths, and how a section without pretwist turns along it.
+//! The line of a beam as drawn: its nodes with exact tangents and arc lengths, and how a section without pretwist turns
+//! along it.
 //!
 //! Straight, along a curve, or in straight pieces. At a corner two pieces end in a node each, at one place.
 
@@ -14,8 +15,8 @@ pub struct Station {
     pub place: Vec3,
     /// Unit tangent, the node's slope.
     pub tangent: Vec3,
-    /// Angle (rad) about the tangent from a normal that minimal rotations bring here from node to node to the same normal
-    /// carried along the line without twist.
+    /// Angle (rad) about the tangent from a normal that minimal rotations bring here from node to node to the same
+    /// normal carried along the line without twist.
     pub turn: f64,
     /// Fraction of the beam's arc length, 0 to 1.
     pub fraction: f64,
@@ -166,8 +167,8 @@ impl Centerline {
     }
 }
 
-/// Shares `elements` among pieces of the given lengths, at least one each: after that the next one always goes where elements are longest.
-/// There are at least as many elements as pieces.
+/// Shares `elements` among pieces of the given lengths, at least one each: after that the next one always goes where
+/// elements are longest. There are at least as many elements as pieces.
 pub fn shares(lengths: &[f64], elements: usize) -> Vec<usize> {
     let whole: f64 = lengths.iter().sum();
     let spare = elements - lengths.len();

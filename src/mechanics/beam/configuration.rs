@@ -25,7 +25,8 @@ pub struct BeamConfiguration<'a> {
 pub enum Passage<'a, C = BeamConfiguration<'a>> {
     /// Not at all: an equilibrium.
     Rest,
-    /// An equilibrium that Newton seeks, after this correction of all coordinates: the tangent depends on it (MECHANICS 7.12).
+    /// An equilibrium that Newton seeks, after this correction of all coordinates: the tangent depends on it (MECHANICS
+    /// 7.12).
     Corrected(&'a [f64]),
     /// At an instant.
     Instant {
@@ -35,8 +36,8 @@ pub enum Passage<'a, C = BeamConfiguration<'a>> {
         velocity_by_q: f64,
         /// What the tangent of material damping is for.
         purpose: Purpose,
-        /// Rates of the strains as steps show them, in the order of [`TimeStep::strain_rates`], for material damping; none: they follow from
-        /// the velocities.
+        /// Rates of the strains as steps show them, in the order of [`TimeStep::strain_rates`], for material damping;
+        /// none: they follow from the velocities.
         strain_rates: Option<&'a [f64]>,
     },
     /// Over a step whose middle is the configuration.
@@ -67,7 +68,8 @@ pub struct TimeStep<'a, C = BeamConfiguration<'a>> {
     pub velocity: &'a [f64],
     /// Numerical dissipation.
     pub dissipation: Dissipation,
-    /// Rates of all strains and relative coordinates over the last step, as [`crate::mechanics::state::State::strain_rates`].
+    /// Rates of all strains and relative coordinates over the last step, as
+    /// [`crate::mechanics::state::lists::Lists::strain_rates`].
     pub strain_rates: &'a [f64],
     /// The same as the velocities at the start let expect them: `State::rate_leads`.
     pub predicted_rates: &'a [f64],
@@ -76,7 +78,8 @@ pub struct TimeStep<'a, C = BeamConfiguration<'a>> {
 }
 
 impl<C> TimeStep<'_, C> {
-    /// The part of `rate` that was not predicted, weighted by `dissipation`; `rate` is that of a strain or a relative coordinate over the step, number `number` in
+    /// The part of `rate` that was not predicted, weighted by `dissipation`; `rate` is that of a strain or a relative
+    /// coordinate over the step, number `number` in
     /// [`Self::strain_rates`].
     #[inline]
     pub fn unpredicted(&self, rate: f64, number: usize) -> f64 {
@@ -84,7 +87,8 @@ impl<C> TimeStep<'_, C> {
     }
 }
 
-/// How strains that are too fast for the step are damped (MECHANICS 7.6): what multiplies the part of the change of a strain over a step that was not predicted, 1.
+/// How strains that are too fast for the step are damped (MECHANICS 7.6): what multiplies the part of the change of a
+/// strain over a step that was not predicted, 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Dissipation {
     /// Not predicted by the rate over the last step, `chi`.
@@ -94,20 +98,22 @@ pub struct Dissipation {
 }
 
 impl Dissipation {
-    /// Such that the amplitude of a strain that is infinitely fast for the step is multiplied by `spectral_radius` (0.6 to 1) a step.
+    /// Such that the amplitude of a strain that is infinitely fast for the step is multiplied by `spectral_radius` (0.6
+    /// to 1) a step.
     pub fn new(spectral_radius: f64) -> Self {
         let (lost, square) = (1.0 - spectral_radius, (1.0 + spectral_radius).powi(2));
         Self { by_last_step: spectral_radius * lost / square, by_start: 0.5 * lost * lost / square }
     }
 
-    /// Over a step of `step` s, where `largest` s is the largest one: as much for every step as for that one, so that both terms work as constant inertias. Steps of
-    /// different lengths would pump energy otherwise.
+    /// Over a step of `step` s, where `largest` s is the largest one: as much for every step as for that one, so that
+    /// both terms work as constant inertias. Steps of different lengths would pump energy otherwise.
     pub fn over(self, step: f64, largest: f64) -> Self {
         let weight = (largest / step).powi(2).max(1.0);
         Self { by_last_step: weight * self.by_last_step, by_start: weight * self.by_start }
     }
 
-    /// The part of the rate `rate` of a strain that was not predicted by those over the last step and at the start, weighted.
+    /// The part of the rate `rate` of a strain that was not predicted by those over the last step and at the start,
+    /// weighted.
     #[inline]
     pub fn unpredicted(self, rate: f64, [last, start]: [f64; 2]) -> f64 {
         self.by_last_step * (rate - last) + self.by_start * (rate - start)

@@ -93,7 +93,8 @@ impl BeamDesign {
         stiffness(&self.material, &self.section, strain, twist, torsion)
     }
 
-    /// The sections of an ANCF14 element between two `fractions` of the length; none where they are those of [`Self::stiffness`] and [`Self::densities`].
+    /// The sections of an ANCF14 element between two `fractions` of the length; none where they are those of
+    /// [`Self::stiffness`] and [`Self::densities`].
     pub fn along(&self, fractions: [f64; 2], strain: Strain, twist: Twist, torsion: Torsion) -> Option<Along> {
         let (profile, material) = (self.profile.clone()?, self.material);
         let turns = fractions.map(|fraction| profile.at(fraction).twist);
@@ -135,9 +136,9 @@ impl BeamDesign {
         }
     }
 
-    /// Twist rate above which the energy of the section is negative and has no lower bound, rad/m: `tau_c = sqrt(4 G Jt/(E (Ip²/A − ∫ r⁴ dA)))`
-    /// (MECHANICS, trap 9). The truncated energy leaves `∫ r⁴ dA` out; a section whose fourth moments are given too small has the same defect.
-    /// Infinite where there is no such rate.
+    /// Twist rate above which the energy of the section is negative and has no lower bound, rad/m:
+    /// `tau_c = sqrt(4 G Jt/(E (Ip²/A − ∫ r⁴ dA)))` (MECHANICS, trap 9). The truncated energy leaves `∫ r⁴ dA` out; a
+    /// section whose fourth moments are given too small has the same defect. Infinite where there is no such rate.
     pub fn twist_limit(&self) -> f64 {
         let (material, section) = (&self.material, &self.section);
         let stiffening = match self.elements {

@@ -20,7 +20,8 @@ use std::ops::{Deref, DerefMut, Range};
 pub enum AnyElement {
     /// Center-line and twist.
     Ancf14(ancf14::element::Element),
-    /// One of ANCF14 that is paid out. Its numbers are in a box, as those of ANCF24: they would make all elements larger.
+    /// One of ANCF14 that is paid out. Its numbers are in a box, as those of ANCF24: they would make all elements
+    /// larger.
     PaidOut(Box<ancf14::paid_out::PaidOut>),
     /// Center-line and gradients of the section.
     Ancf24(Box<ancf24::element::Element>),
@@ -42,7 +43,8 @@ pub trait BeamElement {
     /// Whether its material or its tension is damped.
     fn is_damped(&self) -> bool;
 
-    /// Sets what multiplies the strain rate in the material's viscous stress, and what multiplies that of the axial strain more, s.
+    /// Sets what multiplies the strain rate in the material's viscous stress, and what multiplies that of the axial
+    /// strain more, s.
     fn set_damping(&mut self, damping: f64, tension_damping: f64);
 
     /// The place `xi` (0 to 1) of the axis, of what `q` interpolates: places, or displacements, m.
@@ -51,7 +53,8 @@ pub trait BeamElement {
     /// Derivative of [`Self::axis_point`] with respect to its own coordinates.
     fn axis_q(&self, xi: f64) -> ByCoordinates;
 
-    /// Free length with the values `drives` of the drives, over that as drawn: what mass and weight are multiplied with.
+    /// Free length with the values `drives` of the drives, over that as drawn: what mass and weight are multiplied
+    /// with.
     fn extent(&self, _drives: &[Jet]) -> f64 {
         1.0
     }
@@ -77,8 +80,8 @@ pub trait BeamElement {
     /// Adds the gradient of the strain energy; over a step the force of MECHANICS 7.6, the material's damping included.
     fn add_gradient(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]);
 
-    /// [`Self::add_gradient`], and sets `block` to `scale` times the Hessian; over a step to twice the derivative by the coordinates
-    /// at its end.
+    /// [`Self::add_gradient`], and sets `block` to `scale` times the Hessian; over a step to twice the derivative by
+    /// the coordinates at its end.
     fn add_gradient_and_set_hessian(
         &self,
         c: &BeamConfiguration,
@@ -88,8 +91,9 @@ pub trait BeamElement {
         block: &mut [f64],
     );
 
-    /// Adds the force over a step to `forces` and sets `strain_rates`, those of the whole system, to the rates over it. Returns the elastic energy
-    /// at the end of the step, what the material's damping has taken over it, and what heat or a winch has given, J.
+    /// Adds the force over a step to `forces` and sets `strain_rates`, those of the whole system, to the rates over it.
+    /// Returns the elastic energy at the end of the step, what the material's damping has taken over it, and what heat
+    /// or a winch has given, J.
     fn finish_step(
         &self,
         c: &BeamConfiguration,
@@ -98,8 +102,9 @@ pub trait BeamElement {
         strain_rates: &mut [f64],
     ) -> [f64; 3];
 
-    /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of `strain_rates`, those of the whole system, the rates there; none:
-    /// they are known. `middle` has the values of the drives in the middle of the step.
+    /// Sets what a step from `c` with the velocities `velocity` starts with: its own of `starts`, and of
+    /// `strain_rates`, those of the whole system, the rates there; none: they are known. `middle` has the values of the
+    /// drives in the middle of the step.
     fn begin_step(
         &self,
         _c: &BeamConfiguration,
@@ -113,11 +118,12 @@ pub trait BeamElement {
     /// Sets its own of `strain_rates`, those of the whole system, to the rates at `c` with the velocities `velocity`.
     fn set_strain_rates(&self, _c: &BeamConfiguration, _velocity: &[f64], _strain_rates: &mut [f64]) {}
 
-    /// Adds the viscous forces of the material at an instant, with the velocities `velocity`, or with the rates of strains of the whole system where they are
-    /// given and the element has such.
+    /// Adds the viscous forces of the material at an instant, with the velocities `velocity`, or with the rates of
+    /// strains of the whole system where they are given and the element has such.
     fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]);
 
-    /// [`Self::add_damping`] with the velocities, and adds its derivatives with respect to the coordinates and to the velocities, times `scales`, to `block`.
+    /// [`Self::add_damping`] with the velocities, and adds its derivatives with respect to the coordinates and to the
+    /// velocities, times `scales`, to `block`.
     fn add_damping_and_tangent(
         &self,
         c: &BeamConfiguration,
@@ -127,8 +133,9 @@ pub trait BeamElement {
         block: &mut [f64],
     );
 
-    /// [`Self::add_gradient_and_set_hessian`] and [`Self::add_damping_and_tangent`] at an instant with the velocities `velocity`, which change by `velocity_by_q` with the coordinates, 1/s, for
-    /// Newton's iteration: the block need not be exact.
+    /// [`Self::add_gradient_and_set_hessian`] and [`Self::add_damping_and_tangent`] at an instant with the velocities
+    /// `velocity`, which change by `velocity_by_q` with the coordinates, 1/s, for Newton's iteration: the block need
+    /// not be exact.
     fn add_damped_gradient_and_set_hessian(
         &self,
         c: &BeamConfiguration,
@@ -160,10 +167,12 @@ pub trait BeamElement {
     /// How [`Self::section_pose`] moves with the element's coordinates.
     fn section_jacobian(&self, c: &BeamConfiguration, xi: f64) -> MarkerJacobian;
 
-    /// Adds `∂(turn_qᵀ m)/∂q` of [`Self::section_jacobian`] at a moment (N m) frozen in space to `sum`; a force has none, places are linear in q.
+    /// Adds `∂(turn_qᵀ m)/∂q` of [`Self::section_jacobian`] at a moment (N m) frozen in space to `sum`; a force has
+    /// none, places are linear in q.
     fn add_section_moment_stiffness(&self, c: &BeamConfiguration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix);
 
-    /// Turn of the section about its tangent from [`Self::section_pose`] to what the strains make of it, rad, for outputs.
+    /// Turn of the section about its tangent from [`Self::section_pose`] to what the strains make of it, rad, for
+    /// outputs.
     fn relaxed_turn(&self, _c: &BeamConfiguration, _xi: f64) -> f64 {
         0.0
     }
@@ -188,7 +197,8 @@ pub trait BeamElement {
     /// Material twist from its first node to `xi`, undeformed value taken off, rad.
     fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64;
 
-    /// Largest torsion that the energy is evaluated at, undeformed value taken off, rad/m; asked where the energy bears only so much.
+    /// Largest torsion that the energy is evaluated at, undeformed value taken off, rad/m; asked where the energy bears
+    /// only so much.
     fn largest_torsion(&self, _c: &BeamConfiguration) -> f64 {
         0.0
     }

@@ -43,7 +43,8 @@ impl Mesh {
         STRAINS * self.branches
     }
 
-    /// Where the rate of relative coordinate number `coordinate` is among the rates of strains and relative coordinates.
+    /// Where the rate of relative coordinate number `coordinate` is among the rates of strains and relative
+    /// coordinates.
     pub fn relative_rate_index(&self, coordinate: usize) -> usize {
         self.strains() + coordinate
     }

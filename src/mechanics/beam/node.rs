@@ -56,7 +56,8 @@ impl Node {
         Pose { place: self.place(c.q), axes }
     }
 
-    /// How far the section has turned from the coordinates `before` to `after`, rad; 0 where no coordinate but an angle turns it.
+    /// How far the section has turned from the coordinates `before` to `after`, rad; 0 where no coordinate but an angle
+    /// turns it.
     pub fn section_turn(&self, before: &[f64], after: &[f64]) -> f64 {
         match *self {
             Self::Ancf14 { .. } => 0.0,

@@ -4,7 +4,8 @@ use super::section::Section;
 use std::fmt;
 use std::sync::Arc;
 
-/// How far inside its element an end is looked at, of the length of the element: where the section jumps from one element to the next, each element has its own.
+/// How far inside its element an end is looked at, of the length of the element: where the section jumps from one
+/// element to the next, each element has its own.
 const INSIDE: f64 = 1e-9;
 
 /// Sections by the fraction of the beam's arc length, 0 to 1; where they jump, the later one.

@@ -1,7 +1,7 @@
 //! What is told of a section: its strains, the force and moments that it transmits, the largest stress on its outline.
 //!
-//! Signs as in docs/model-file.md: forces and moments are what the part towards the beam's end exerts on the part towards its
-//! start. The fiber at (y, z) has the strain `axial + z curvature_y − y curvature_z`.
+//! Signs as in docs/model-file.md: forces and moments are what the part towards the beam's end exerts on the part
+//! towards its start. The fiber at (y, z) has the strain `axial + z curvature_y − y curvature_z`.
 
 use super::section::Outline;
 
@@ -27,7 +27,8 @@ pub struct SectionStrains {
     pub torsion: f64,
 }
 
-/// Force and moments of a section. They come from the elastic energy alone: viscous stress of a damped beam is not in them.
+/// Force and moments of a section. They come from the elastic energy alone: viscous stress of a damped beam is not in
+/// them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SectionForces {
     /// Axial force along the tangent, tension positive, N.
@@ -36,8 +37,8 @@ pub struct SectionForces {
     pub moment: [f64; 3],
 }
 
-/// The point of a section that bears the largest stress of one state, and how its stress changes around that state: the largest stress itself
-/// has kinks where another point takes over.
+/// The point of a section that bears the largest stress of one state, and how its stress changes around that state: the
+/// largest stress itself has kinks where another point takes over.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Fiber {
     /// y and z, m.
@@ -72,9 +73,10 @@ impl Fiber {
 
 /// Largest von Mises stress `sqrt(σ² + 3 τ²)` over `outline`, Pa; none if the outline is not known.
 ///
-/// `σ = young · (fiber strain)`, linear over the section: squares of curvature and torsion are left out. `τ` is the largest shear that
-/// the Saint-Venant torque `torque`, N m, makes in the shape itself, also where its torsion constant is given differently. Circles and tubes have
-/// it all along the outline; for a rectangle, whose corners bear `σ` and the middles of whose long sides `τ`, it is taken everywhere: an upper bound.
+/// `σ = young · (fiber strain)`, linear over the section: squares of curvature and torsion are left out. `τ` is the
+/// largest shear that the Saint-Venant torque `torque`, N m, makes in the shape itself, also where its torsion constant
+/// is given differently. Circles and tubes have it all along the outline; for a rectangle, whose corners bear `σ` and
+/// the middles of whose long sides `τ`, it is taken everywhere: an upper bound.
 pub fn largest_stress(outline: &Outline, young: f64, torque: f64, strains: &SectionStrains) -> Option<f64> {
     let normal = young * outline.largest_strain(strains.axial, &strains.curvature)?;
     let shear = torque / outline.torsion_modulus()?;

@@ -67,7 +67,8 @@ impl Outline {
         }
     }
 
-    /// Largest size of `axial + z curvature_y − y curvature_z` over the outline, 1, with the curvatures about y and z in 1/m; none if it is not known.
+    /// Largest size of `axial + z curvature_y − y curvature_z` over the outline, 1, with the curvatures about y and z
+    /// in 1/m; none if it is not known.
     pub fn largest_strain(&self, axial: f64, curvature: &[f64; 2]) -> Option<f64> {
         let [about_y, about_z] = curvature;
         let bending = match self {
@@ -83,8 +84,8 @@ impl Outline {
         Some(axial.abs() + bending)
     }
 
-    /// A point of the outline, y and z, m, where `axial + z curvature_y − y curvature_z` is largest in size; none if the outline is not known. Where all
-    /// points are alike it is the middle of them.
+    /// A point of the outline, y and z, m, where `axial + z curvature_y − y curvature_z` is largest in size; none if
+    /// the outline is not known. Where all points are alike it is the middle of them.
     pub fn farthest_point(&self, axial: f64, curvature: &[f64; 2]) -> Option<[f64; 2]> {
         let [about_y, about_z] = *curvature;
         if let Self::Walls { corners, .. } = self {
@@ -175,7 +176,8 @@ impl Section {
         self.inertia.unwrap_or([self.area, self.polar_moment].map(|integral| material.density * integral))
     }
 
-    /// Angle about the tangent from y to the principal axis nearest to it, rad, and the second moments about the principal y and z, m⁴.
+    /// Angle about the tangent from y to the principal axis nearest to it, rad, and the second moments about the
+    /// principal y and z, m⁴.
     pub fn principal_axes(&self) -> (f64, [f64; 2]) {
         let Self { second_moment_y: about_y, second_moment_z: about_z, product_moment, .. } = *self;
         if product_moment == 0.0 {
@@ -190,8 +192,9 @@ impl Section {
         }
     }
 
-    /// The same section with its tension center at `center`, y and z, m, instead of on the axis: its integrals become those about the axis (Steiner). The fourth
-    /// moments about the tension center are taken as those along the principal axes of the sum; `∫y³z` and `∫yz³` are left out.
+    /// The same section with its tension center at `center`, y and z, m, instead of on the axis: its integrals become
+    /// those about the axis (Steiner). The fourth moments about the tension center are taken as those along the
+    /// principal axes of the sum; `∫y³z` and `∫yz³` are left out.
     pub fn with_tension_center(self, center: [f64; 2]) -> Self {
         let (own, [y, z]) = (self, center);
         let mut section = Self {
@@ -212,7 +215,8 @@ impl Section {
         section
     }
 
-    /// In the principal axes of the section about the axis: the tension center, m, and the second moments about axes through it, `Iy`, `Iz` and `Iyz`, m⁴.
+    /// In the principal axes of the section about the axis: the tension center, m, and the second moments about axes
+    /// through it, `Iy`, `Iz` and `Iyz`, m⁴.
     fn about_tension_center(&self) -> ([f64; 2], [f64; 3]) {
         let (angle, [about_y, about_z]) = self.principal_axes();
         let ((sin, cos), [y, z]) = (angle.sin_cos(), self.tension_center);
@@ -220,8 +224,9 @@ impl Section {
         ([y, z], [about_y - self.area * z * z, about_z - self.area * y * y, -self.area * y * z])
     }
 
-    /// First moments `∫ (y, z) dA`, m³, and third moments `[∫y³, ∫y²z, ∫yz², ∫z³] dA`, m⁵, about the principal axes through the axis of the beam, of a section that is
-    /// symmetric about its tension center; none where that is on the axis.
+    /// First moments `∫ (y, z) dA`, m³, and third moments `[∫y³, ∫y²z, ∫yz², ∫z³] dA`, m⁵, about the principal axes
+    /// through the axis of the beam, of a section that is symmetric about its tension center; none where that is on the
+    /// axis.
     pub fn odd_moments(&self) -> Option<([f64; 2], [f64; 4])> {
         if self.tension_center == [0.0; 2] {
             return None;
@@ -256,8 +261,9 @@ impl Section {
         }
     }
 
-    /// Fourth moments `[∫ y⁴ dA, ∫ y² z² dA, ∫ z⁴ dA]` of the rectangle that has this area (m²) and these second moments about y and z (m⁴), m⁶: an
-    /// estimate for a section whose outline is not known. A circle has `2 Iz²/A` instead of `1.8 Iz²/A`, a thin tube `1.5 Iz²/A`.
+    /// Fourth moments `[∫ y⁴ dA, ∫ y² z² dA, ∫ z⁴ dA]` of the rectangle that has this area (m²) and these second
+    /// moments about y and z (m⁴), m⁶: an estimate for a section whose outline is not known. A circle has `2 Iz²/A`
+    /// instead of `1.8 Iz²/A`, a thin tube `1.5 Iz²/A`.
     pub fn rectangular_fourth_moments(area: f64, second_moment_y: f64, second_moment_z: f64) -> [f64; 3] {
         [
             1.8 * second_moment_z * second_moment_z / area,
@@ -266,8 +272,8 @@ impl Section {
         ]
     }
 
-    /// `∫ r⁴ dA − Ip²/A`, m⁶, with `r² = y² + z²`: what torsion stiffens by at large strain. No section has less than 0 (Cauchy and Schwarz);
-    /// integrals that are given one by one may.
+    /// `∫ r⁴ dA − Ip²/A`, m⁶, with `r² = y² + z²`: what torsion stiffens by at large strain. No section has less than 0
+    /// (Cauchy and Schwarz); integrals that are given one by one may.
     pub fn twist_stiffening(&self) -> f64 {
         let [yyyy, yyzz, zzzz] = self.fourth_moments;
         let (whole, relief) = (yyyy + 2.0 * yyzz + zzzz, self.polar_moment * self.polar_moment / self.area);
@@ -328,7 +334,8 @@ impl Section {
     }
 }
 
-/// Saint-Venant's torsion constant of a rectangle, m⁴: `a b³/3 (1 − 192 b/(π⁵ a) Σ_{n odd} tanh(nπa/2b)/n⁵)`, a ≥ b (Timoshenko).
+/// Saint-Venant's torsion constant of a rectangle, m⁴: `a b³/3 (1 − 192 b/(π⁵ a) Σ_{n odd} tanh(nπa/2b)/n⁵)`, a ≥ b
+/// (Timoshenko).
 pub(super) fn rectangle_torsion_constant(width: f64, height: f64) -> f64 {
     let (long, short) = (width.max(height), width.min(height));
     // The terms fall with n⁻⁵: 40 of them leave less than 1e-9 of the constant; summed from the smallest.
@@ -337,7 +344,8 @@ pub(super) fn rectangle_torsion_constant(width: f64, height: f64) -> f64 {
     long * short.powi(3) / 3.0 * (1.0 - 192.0 * short / (PI.powi(5) * long) * series)
 }
 
-/// `Jt / (b (1 − 8/π² Σ_{n odd} 1/(n² cosh(nπa/2b))))`, m³, a ≥ b: the shear is largest in the middle of the long sides (Timoshenko).
+/// `Jt / (b (1 − 8/π² Σ_{n odd} 1/(n² cosh(nπa/2b))))`, m³, a ≥ b: the shear is largest in the middle of the long sides
+/// (Timoshenko).
 fn rectangle_torsion_modulus(width: f64, height: f64) -> f64 {
     let (long, short) = (width.max(height), width.min(height));
     // The terms fall with exp(−nπ/2) at least: 12 of them leave less than 1e-17.
@@ -353,7 +361,8 @@ fn rectangle_torsion_modulus(width: f64, height: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The square's constant 0.140577 a⁴ stands in every table (and in the 45-degree bend's reference); a thin strip tends to a b³/3.
+    /// The square's constant 0.140577 a⁴ stands in every table (and in the 45-degree bend's reference); a thin strip
+    /// tends to a b³/3.
     #[test]
     fn torsion_of_rectangles() {
         assert!((Section::rectangle(1.0, 1.0).torsion_constant - 0.140_577_0).abs() < 1e-7);
@@ -362,7 +371,8 @@ mod tests {
         assert_eq!(Section::rectangle(2.0, 3.0).torsion_constant, Section::rectangle(3.0, 2.0).torsion_constant);
     }
 
-    /// Largest shear of a rectangle a × b is T/(k a b²); k to three digits as in Timoshenko's table, a b²/3 for a thin strip.
+    /// Largest shear of a rectangle a × b is T/(k a b²); k to three digits as in Timoshenko's table, a b²/3 for a thin
+    /// strip.
     #[test]
     fn torsional_shear_of_rectangles() {
         for (ratio, k) in [(1.0, 0.208), (1.5, 0.231), (2.0, 0.246), (3.0, 0.267), (4.0, 0.282), (10.0, 0.312)] {

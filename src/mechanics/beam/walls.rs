@@ -1,8 +1,9 @@
 //! Sections of thin walls, as unions of rectangles: I, box, channel, tee, angle.
 //!
-//! Integrals over the area are exact, about the centroid, for walls with sharp corners. The torsion constant is that of thin walls: of open sections the sum
-//! of Saint-Venant's constants of the rectangles, of a box Bredt's `4 A_m² / ∮ ds/t`. Warping is left out, and the shear center
-//! is taken to be the centroid: forces across a channel, a tee or an angle do not twist it.
+//! Integrals over the area are exact, about the centroid, for walls with sharp corners. The torsion constant is that of
+//! thin walls: of open sections the sum of Saint-Venant's constants of the rectangles, of a box Bredt's
+//! `4 A_m² / ∮ ds/t`. Warping is left out, and the shear center is taken to be the centroid: forces across a channel, a
+//! tee or an angle do not twist it.
 
 use super::section::{CORNERS, Outline, Section, rectangle_torsion_constant};
 
@@ -70,7 +71,8 @@ impl Section {
         open(&walls, [[0.0, -h], [width, -h], [width, h], [0.0, h], [0.0, -h], [width, h]])
     }
 
-    /// A flange `width` (along y) × `flange` at the upper end of a web of thickness `web`, `height` (along z) in all, m.
+    /// A flange `width` (along y) × `flange` at the upper end of a web of thickness `web`, `height` (along z) in all,
+    /// m.
     pub fn tee(width: f64, height: f64, web: f64, flange: f64) -> Self {
         let [w, half, below] = [0.5 * width, 0.5 * web, height - flange];
         let walls = [Wall { y: [-w, w], z: [below, height] }, Wall { y: [-half, half], z: [0.0, below] }];
@@ -117,7 +119,8 @@ fn composed(walls: &[Wall], torsion_constant: f64, corners: [[f64; 2]; CORNERS],
     }
 }
 
-/// `[∫ y⁴ dA, ∫ y² z² dA, ∫ z⁴ dA]` in axes that are turned by `angle`, rad, from `[∫ y⁴, ∫ y³ z, ∫ y² z², ∫ y z³, ∫ z⁴]`.
+/// `[∫ y⁴ dA, ∫ y² z² dA, ∫ z⁴ dA]` in axes that are turned by `angle`, rad, from
+/// `[∫ y⁴, ∫ y³ z, ∫ y² z², ∫ y z³, ∫ z⁴]`.
 fn turned(angle: f64, [m40, m31, m22, m13, m04]: [f64; 5]) -> [f64; 3] {
     let (s, c) = angle.sin_cos();
     let (ss, cc, sc) = (s * s, c * c, s * c);

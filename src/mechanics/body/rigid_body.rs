@@ -1,6 +1,8 @@
-//! A rigid body by 12 natural coordinates (MECHANICS 6): its center of mass and three directors along its principal axes.
+//! A rigid body by 12 natural coordinates (MECHANICS 6): its center of mass and three directors along its principal
+//! axes.
 //!
-//! The mass matrix is constant. That the directors stay orthonormal are six conditions of the system, like those of a joint.
+//! The mass matrix is constant. That the directors stay orthonormal are six conditions of the system, like those of a
+//! joint.
 
 use super::kinematics::BODY;
 use crate::math::vectors::set_vec3;

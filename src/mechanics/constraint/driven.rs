@@ -1,4 +1,5 @@
-//! A driven coordinate: angle or distance of b against a, about or along the first axis, is what a drive prescribes. 1 condition.
+//! A driven coordinate: angle or distance of b against a, about or along the first axis, is what a drive prescribes. 1
+//! condition.
 
 use super::primitive::Primitive;
 use crate::mechanics::marker::relative_coordinate::Measure;

@@ -1,7 +1,8 @@
-//! A gear: the coordinates of two joints are proportional, `x_a − ratio·x_b = 0`, or one follows the other like a cam, `x_a − f(x_b) = 0`. 1 condition.
+//! A gear: the coordinates of two joints are proportional, `x_a − ratio·x_b = 0`, or one follows the other like a cam,
+//! `x_a − f(x_b) = 0`. 1 condition.
 //!
-//! Each coordinate lies between two markers, as every joint does, so that a gear is a pair of joints which share one condition: the first one sets it, the second one
-//! adds to it.
+//! Each coordinate lies between two markers, as every joint does, so that a gear is a pair of joints which share one
+//! condition: the first one sets it, the second one adds to it.
 
 use crate::math::jet::Jet;
 use crate::mechanics::constraint::primitive::Primitive;

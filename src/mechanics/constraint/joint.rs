@@ -1,6 +1,8 @@
-//! Joints: lists of primitive conditions `phi = 0` between two markers (MECHANICS 6). A kind of joint is a file with its list.
+//! Joints: lists of primitive conditions `phi = 0` between two markers (MECHANICS 6). A kind of joint is a file with
+//! its list.
 //!
-//! The rigidity of bodies and the drives are lists of conditions too: whatever holds the system together is a [`Joint`].
+//! The rigidity of bodies and the drives are lists of conditions too: whatever holds the system together is a
+//! [`Joint`].
 
 use super::gear::GearSide;
 use super::primitive::{MOST_ROWS, Primitive};
@@ -55,7 +57,8 @@ pub enum Held {
     Coordinate(usize),
 }
 
-/// Gradient of a joint's conditions by the coordinates of its two sides, rows in order, 6×24 each, of which only the rows of conditions and the columns of coordinates are set.
+/// Gradient of a joint's conditions by the coordinates of its two sides, rows in order, 6×24 each, of which only the
+/// rows of conditions and the columns of coordinates are set.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct JointGradient {
     /// Whether the joint is released: its conditions are none, and its gradient is 0.
@@ -121,7 +124,8 @@ impl Joint {
         self.gear.as_ref().is_some_and(|side| side.is_second)
     }
 
-    /// What its drive prescribes, with its rate and acceleration, from where it engaged; of a lock where it engaged; else 0.
+    /// What its drive prescribes, with its rate and acceleration, from where it engaged; of a lock where it engaged;
+    /// else 0.
     pub fn prescribed(&self, c: &Configuration) -> Jet {
         let mut jet = self.drive.map_or(Jet::constant(0.0), |drive| c.prescribed.drives[drive]);
         if let Some(Holding { held: Held::Coordinate(_), .. }) = self.holding {
@@ -150,7 +154,8 @@ impl Joint {
         }
     }
 
-    /// What its only primitive adds to the condition of a gear, with derivatives by the measure; none: it is no side of one.
+    /// What its only primitive adds to the condition of a gear, with derivatives by the measure; none: it is no side of
+    /// one.
     fn gear_part(&self, c: &Configuration, a: &Pose, b: &Pose) -> Option<Jet> {
         match (&self.gear, self.primitives) {
             (Some(side), [Primitive::Measured(measure)]) => Some(side.part(measure.value(a, b, side.previous(c)))),
@@ -158,7 +163,8 @@ impl Joint {
         }
     }
 
-    /// Sets `gradients`, which are zero, to those of all rows by the vectors of both poses, in order, and returns those; `part` is [`Self::gear_part`].
+    /// Sets `gradients`, which are zero, to those of all rows by the vectors of both poses, in order, and returns
+    /// those; `part` is [`Self::gear_part`].
     fn rows_x<'g>(
         &self,
         a: &Pose,
@@ -213,8 +219,8 @@ impl Joint {
         hessian
     }
 
-    /// Sets `blocks` to `∂²(lambda·phi)/∂q²`: `aa, ab, ba, bb`, 24×24 each, of which only the rows and columns of the markers' own coordinates are set.
-    /// On the way `gradient` is set as by [`Self::phi_q`].
+    /// Sets `blocks` to `∂²(lambda·phi)/∂q²`: `aa, ab, ba, bb`, 24×24 each, of which only the rows and columns of the
+    /// markers' own coordinates are set. On the way `gradient` is set as by [`Self::phi_q`].
     pub fn phi_q_and_qq(
         &self,
         c: &Configuration,

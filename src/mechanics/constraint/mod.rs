@@ -1,4 +1,5 @@
-//! What holds a mechanism together: joints as lists of primitive conditions, a file a kind, the rigidity of bodies, drives, gears.
+//! What holds a mechanism together: joints as lists of primitive conditions, a file a kind, the rigidity of bodies,
+//! drives, gears.
 
 pub mod cylindrical;
 pub mod driven;

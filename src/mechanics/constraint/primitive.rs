@@ -1,7 +1,7 @@
 //! What joints are made of: scalar conditions between two poses, with their derivatives by the poses' vectors.
 //!
-//! All but angles are bilinear in the two poses. Conditions by products of axes hold at half-turn relatives of what is meant
-//! too; `is_upright` tells them apart (MECHANICS 6).
+//! All but angles are bilinear in the two poses. Conditions by products of axes hold at half-turn relatives of what is
+//! meant too; `is_upright` tells them apart (MECHANICS 6).
 
 use crate::mechanics::geometry::pose::{PLACE, Pose, VECTORS, axis_vector};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
@@ -13,8 +13,9 @@ pub const MOST_ROWS: usize = 3;
 /// A condition between the poses of a joint's two sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Primitive {
-    /// The places are one: `T_a[i]·(x_a − x_b) = 0`, 3 rows, m. In a's axes, not in global ones: a condition that does not change
-    /// when all turns has forces without moment, also in the middle of a step, where the places of beams' nodes are not quite one.
+    /// The places are one: `T_a[i]·(x_a − x_b) = 0`, 3 rows, m. In a's axes, not in global ones: a condition that does
+    /// not change when all turns has forces without moment, also in the middle of a step, where the places of beams'
+    /// nodes are not quite one.
     Coincident,
     /// Axis `i` of a and axis `i` of b are one: `T_a[i]·T_b[j] = T_a[i]·T_b[k] = 0`, 2 rows.
     Parallel(usize),
@@ -24,7 +25,8 @@ pub enum Primitive {
     Perpendicular(usize, usize),
     /// A measure has the value that a drive prescribes, 0 without a drive: 1 row, m or rad.
     Measured(Measure),
-    /// Axes `i` and `j` of b are perpendicular, or, where they are one, of length 1: `T_b[i]·T_b[j] = 0` or `(|T_b[i]|² − 1)/2 = 0`, 1 row.
+    /// Axes `i` and `j` of b are perpendicular, or, where they are one, of length 1: `T_b[i]·T_b[j] = 0` or
+    /// `(|T_b[i]|² − 1)/2 = 0`, 1 row.
     Rigid(usize, usize),
 }
 

@@ -1,4 +1,5 @@
-//! What keeps rigid that has more coordinates than freedoms: the directors of a body, the section of a node of ANCF24 that something holds.
+//! What keeps rigid that has more coordinates than freedoms: the directors of a body, the section of a node of ANCF24
+//! that something holds.
 
 use super::joint::Joint;
 use super::primitive::Primitive;
@@ -36,8 +37,8 @@ impl RigidBody {
     }
 }
 
-/// The rigidity of the section of the node whose coordinates start at `start`: what it is tied to holds all of it. As a joint to
-/// nowhere, of the gradients as the directors of a body, which has the same coordinates.
+/// The rigidity of the section of the node whose coordinates start at `start`: what it is tied to holds all of it. As a
+/// joint to nowhere, of the gradients as the directors of a body, which has the same coordinates.
 pub fn section_rigidity(name: String, start: usize) -> Joint {
     let gradients = Marker::Body { start, offset: Vec3::zeros(), axes: Mat3::identity() };
     Joint {

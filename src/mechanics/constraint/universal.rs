@@ -1,4 +1,5 @@
-//! Universal joint: places coincide, the first axis of a and the second axis of b stay perpendicular; b turns about both. 4 conditions.
+//! Universal joint: places coincide, the first axis of a and the second axis of b stay perpendicular; b turns about
+//! both. 4 conditions.
 
 use super::primitive::Primitive;
 

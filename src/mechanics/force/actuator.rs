@@ -1,6 +1,7 @@
 //! Actuators: an effort, a torque or a force, between the two sides of a relative coordinate.
 //!
-//! The effort `e` does the work `e dx` on the coordinate `x`: it acts on side b along the growing of the coordinate, and on side a against it.
+//! The effort `e` does the work `e dx` on the coordinate `x`: it acts on side b along the growing of the coordinate,
+//! and on side a against it.
 
 use crate::mechanics::force::effort_law::{EffortLaw, Reading};
 use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, MarkerVector};
@@ -33,7 +34,8 @@ pub struct Actuator {
 }
 
 impl Actuator {
-    /// Its effort at `time`, s, in N m or N, where `target` is what a host gives; of one that follows coordinates the share that acts, 1.
+    /// Its effort at `time`, s, in N m or N, where `target` is what a host gives; of one that follows coordinates the
+    /// share that acts, 1.
     pub fn at(&self, time: f64, target: &HostEffort) -> f64 {
         match &self.guide {
             EffortGuide::Signal(signal) => signal.at(time),

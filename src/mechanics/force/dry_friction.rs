@@ -1,9 +1,11 @@
 //! Dry friction that holds: an elastic sticking displacement, up to the limit at which it slides (MECHANICS 7.6).
 //!
-//! The displacement is what friction remembers. While both sides stick, it grows with their way against each other, and the force `stiffness · displacement` holds. At the
-//! limit they slide, and the displacement stays what it is. A step takes the force that it would have half a step behind its end, with the rate there:
-//! `stiffness (u₁ + h v₁/2)`, cut off at the limit. Where sticking is far too fast for the step, both displacement and rate end at rest. With the force of the end
-//! alone the rate would change its sign with every step for ever, and with the mean of both ends the displacement too.
+//! The displacement is what friction remembers. While both sides stick, it grows with their way against each other, and
+//! the force `stiffness · displacement` holds. At the limit they slide, and the displacement stays what it is. A step
+//! takes the force that it would have half a step behind its end, with the rate there: `stiffness (u₁ + h v₁/2)`, cut
+//! off at the limit. Where sticking is far too fast for the step, both displacement and rate end at rest. With the
+//! force of the end alone the rate would change its sign with every step for ever, and with the mean of both ends the
+//! displacement too.
 
 /// Dry friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +41,8 @@ impl DryFriction {
         self.stiffness() * self.displaced(before, way)
     }
 
-    /// Force of a step of `duration` s with this way, whose sides have the rate `rate` at its start, and its derivative with respect to the way: N or N m.
+    /// Force of a step of `duration` s with this way, whose sides have the rate `rate` at its start, and its derivative
+    /// with respect to the way: N or N m.
     pub fn force_over(&self, before: f64, way: f64, rate: f64, duration: f64) -> [f64; 2] {
         let displaced = self.displaced(before, way);
         let beyond = way - 0.5 * duration * rate;
@@ -73,8 +76,9 @@ impl DryFriction {
 mod tests {
     use super::*;
 
-    /// A mass on friction alone, in steps far longer than sticking takes: it slides as far as `v²/(2 a)`, to a step's way, stops within one step, and rests at once,
-    /// with a displacement within the limit. Work and energy balance to round-off.
+    /// A mass on friction alone, in steps far longer than sticking takes: it slides as far as `v²/(2 a)`, to a step's
+    /// way, stops within one step, and rests at once, with a displacement within the limit. Work and energy balance to
+    /// round-off.
     #[test]
     fn a_mass_stops_and_rests() {
         let (own, mass, step) = (DryFriction::with_stiffness(3.0, 1e7), 2.0, 1e-3);

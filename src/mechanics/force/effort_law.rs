@@ -1,6 +1,7 @@
 //! Efforts of actuators that follow coordinates of the mechanism: controllers without a host.
 //!
-//! `e(t, x₁, x₂, …)` of coordinates and their rates. Over a step a coordinate is the mean of both its ends and its rate the mean rate, so that the effort is implicit, and exact in the tangent.
+//! `e(t, x₁, x₂, …)` of coordinates and their rates. Over a step a coordinate is the mean of both its ends and its rate
+//! the mean rate, so that the effort is implicit, and exact in the tangent.
 
 use crate::mechanics::geometry::marker_jacobian::MarkerVector;
 use crate::mechanics::input::signal::Signal;
@@ -9,7 +10,8 @@ use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use std::fmt;
 use std::sync::Arc;
 
-/// The effort at a time, s, and at what is read, and its derivative with respect to one of these, by its place; beyond the end: none of them.
+/// The effort at a time, s, and at what is read, and its derivative with respect to one of these, by its place; beyond
+/// the end: none of them.
 pub type EffortFunction = dyn Fn(f64, &[f64], usize) -> [f64; 2] + Send + Sync;
 
 /// An effort that follows coordinates.
@@ -52,7 +54,8 @@ impl Reading {
         }
     }
 
-    /// Its derivative with respect to the coordinates of both sides, 24×1 each; over a step twice that with respect to those at its end.
+    /// Its derivative with respect to the coordinates of both sides, 24×1 each; over a step twice that with respect to
+    /// those at its end.
     pub fn gradient(self, all: &[RelativeCoordinate], c: &Configuration, passage: &Passage) -> [MarkerVector; 2] {
         let own = &all[self.coordinate];
         match (passage, self.is_rate) {
@@ -60,7 +63,8 @@ impl Reading {
             (Passage::Rest | Passage::Corrected(_) | Passage::Instant { .. }, false) => own.gradient(c),
             (Passage::Instant { velocity, .. }, true) => own.rate_gradient(c, velocity),
             (Passage::Step(step), false) => own.gradient(step.end),
-            // Divided one by one: a factor `2/duration` would be moved to where there is no step, and hosts may trap a division by zero.
+            // Divided one by one: a factor `2/duration` would be moved to where there is no step, and hosts may trap a
+            // division by zero.
             (Passage::Step(step), true) => own.gradient(step.end).map(|side| 2.0 * side / step.duration),
         }
     }

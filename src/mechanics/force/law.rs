@@ -1,8 +1,10 @@
-//! Laws of springs, dampers, friction and stops: a force `f(x, v)` against an increase of `x`, N or N m. `x` is the elongation, m or rad, and `v` its rate.
+//! Laws of springs, dampers, friction and stops: a force `f(x, v)` against an increase of `x`, N or N m. `x` is the
+//! elongation, m or rad, and `v` its rate.
 //!
-//! `f(x, 0)` is elastic and has the energy `∫ f(x, 0) dx`. The rest, `f(x, v) − f(x, 0)`, is viscous. Over a step, both are means over the way from the elongation
-//! at its start to that at its end: the elastic part works exactly as much as the energy changes, and where the law has a kink or a jump, the force of the step is still a
-//! continuous function of the end.
+//! `f(x, 0)` is elastic and has the energy `∫ f(x, 0) dx`. The rest, `f(x, v) − f(x, 0)`, is viscous. Over a step, both
+//! are means over the way from the elongation at its start to that at its end: the elastic part works exactly as much
+//! as the energy changes, and where the law has a kink or a jump, the force of the step is still a continuous function
+//! of the end.
 
 use super::dry_friction::DryFriction;
 use crate::math::integral::{integral_to_ends, integral_within};
@@ -31,7 +33,8 @@ pub enum Law {
         /// Whether it depends on the rate.
         has_rate: bool,
     },
-    /// Dry friction that holds, and `viscous v`. The dry part depends on what the spring remembers: it is no function of elongation and rate.
+    /// Dry friction that holds, and `viscous v`. The dry part depends on what the spring remembers: it is no function
+    /// of elongation and rate.
     Friction {
         /// The dry part.
         dry: DryFriction,
@@ -47,7 +50,8 @@ pub enum Law {
         /// Below this rate it is not yet all there, m/s or rad/s.
         speed: f64,
     },
-    /// Stops at one or both ends of the way: `stiffness p (1 + damping w)` at the penetration `p`, which grows at the rate `w`; it never pulls (Hunt and Crossley 1975).
+    /// Stops at one or both ends of the way: `stiffness p (1 + damping w)` at the penetration `p`, which grows at the
+    /// rate `w`; it never pulls (Hunt and Crossley 1975).
     Stop {
         /// The lower one, which may be at minus infinity, and the upper one, m or rad.
         limits: [f64; 2],
@@ -90,7 +94,8 @@ const INTERVALS_OF_STEP: u32 = 120;
 const INTERVALS_OF_ENERGY: u32 = 600;
 /// Share of a derivative up to which it is integrated: no result depends on it, only how fast Newton converges.
 const SLOPE_ERROR: f64 = 1e-10;
-/// Where the force changes by less than this share over a step, the derivative of its mean is an integral: the difference of the two would have lost too many digits.
+/// Where the force changes by less than this share over a step, the derivative of its mean is an integral: the
+/// difference of the two would have lost too many digits.
 const CANCELLATION: f64 = 1e-6;
 
 impl Law {
@@ -255,7 +260,8 @@ impl Contact {
     }
 }
 
-/// The mean of a function over the way from `start` to `end`, and its derivative with respect to the end; `f` has value and derivative.
+/// The mean of a function over the way from `start` to `end`, and its derivative with respect to the end; `f` has value
+/// and derivative.
 fn mean(f: impl Fn(f64) -> [f64; 3], [start, end]: [f64; 2]) -> [f64; 2] {
     let way = end - start;
     let value = integral_to_ends(&|s| f(start + s * way)[0], 0.0, 1.0, INTERVALS_OF_STEP);

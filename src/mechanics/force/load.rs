@@ -1,4 +1,5 @@
-//! Forces and moments on markers: at one point, or spread over a beam; in global directions or turning with the section.
+//! Forces and moments on markers: at one point, or spread over a beam; in global directions or turning with the
+//! section.
 
 use crate::math::Vec3;
 use crate::mechanics::beam::line_load::LineLoad;
@@ -88,7 +89,8 @@ impl Load {
         }
     }
 
-    /// Calls `take` with the coordinates of each part that it acts on and with the generalized force there under the components `wrench`.
+    /// Calls `take` with the coordinates of each part that it acts on and with the generalized force there under the
+    /// components `wrench`.
     pub fn each_force(&self, c: &Configuration, wrench: &Wrench, mut take: impl FnMut(Range<usize>, &[f64])) {
         match &self.site {
             Site::Point(marker) => {

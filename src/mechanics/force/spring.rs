@@ -1,7 +1,7 @@
 //! Springs and dampers: `stiffness (x − rest) + damping x'` against a relative coordinate `x`, N or N m.
 //!
-//! Two-point springs, springs on the coordinate of a joint and the six of a bushing are all of this kind. A law takes the place of both terms: a rope, a function, friction
-//! or a stop.
+//! Two-point springs, springs on the coordinate of a joint and the six of a bushing are all of this kind. A law takes
+//! the place of both terms: a rope, a function, friction or a stop.
 
 use crate::mechanics::force::dry_friction::DryFriction;
 use crate::mechanics::force::law::{Law, LawForce};
@@ -25,8 +25,8 @@ pub struct Spring {
     pub damping: f64,
     /// Value of the coordinate at which it is free of force, m or rad.
     pub rest: f64,
-    /// How easily a step moves the coordinate from where it is drawn: one over the mass or the moment of inertia behind it, which stiffness adds to, 1/kg or
-    /// 1/(kg m²); 0 where it is not known.
+    /// How easily a step moves the coordinate from where it is drawn: one over the mass or the moment of inertia behind
+    /// it, which stiffness adds to, 1/kg or 1/(kg m²); 0 where it is not known.
     pub mobility: f64,
     /// Its law, if it is not linear: stiffness and damping are 0 then.
     pub law: Option<Law>,
@@ -52,7 +52,8 @@ impl Spring {
         coordinate.value(c, c.relative_values[self.coordinate])
     }
 
-    /// Its force against the growing of the coordinate, N or N m; over a step that of the mean value at both ends, with what numerical dissipation adds.
+    /// Its force against the growing of the coordinate, N or N m; over a step that of the mean value at both ends, with
+    /// what numerical dissipation adds.
     pub fn tension(&self, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> f64 {
         if let Some(law) = &self.law {
             let force = self.law_force(law, coordinate, c, passage);
@@ -86,7 +87,8 @@ impl Spring {
         self.value(coordinate, step.end) - self.value(coordinate, step.start)
     }
 
-    /// The force of its dry friction, N or N m, and its derivative with respect to the coordinate; over a step that at its end.
+    /// The force of its dry friction, N or N m, and its derivative with respect to the coordinate; over a step that at
+    /// its end.
     fn dry_force(
         &self,
         dry: &DryFriction,
@@ -107,7 +109,8 @@ impl Spring {
         }
     }
 
-    /// The force of its law; over a step its derivative with respect to the rate is that with respect to the mean rate of the step.
+    /// The force of its law; over a step its derivative with respect to the rate is that with respect to the mean rate
+    /// of the step.
     fn law_force(&self, law: &Law, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> LawForce {
         let mut force = self.force_without_memory(law, coordinate, c, passage);
         if let Some(dry) = law.dry() {
@@ -148,7 +151,8 @@ impl Spring {
                     force.viscous += viscous * taken(late);
                     force.by_v += viscous * (1.0 + late);
                 }
-                // No numerical dissipation: it holds energy in proportion to the stiffness, which would come from nothing where a law stiffens, as at a contact.
+                // No numerical dissipation: it holds energy in proportion to the stiffness, which would come from
+                // nothing where a law stiffens, as at a contact.
                 force
             }
         }
@@ -167,8 +171,9 @@ impl Spring {
         }
     }
 
-    /// By how much its force over `step`, whose middle is `c`, exceeds that in the middle of the time, where the coordinate and its rate have the values `middle`: N or N m.
-    /// Without what mean strains and numerical dissipation do to an elastic force that is linear.
+    /// By how much its force over `step`, whose middle is `c`, exceeds that in the middle of the time, where the
+    /// coordinate and its rate have the values `middle`: N or N m. Without what mean strains and numerical dissipation
+    /// do to an elastic force that is linear.
     pub fn lag(&self, coordinate: &RelativeCoordinate, c: &Configuration, step: &TimeStep, middle: [f64; 2]) -> f64 {
         let passage = Passage::Step(*step);
         let [value, rate] = middle;
@@ -201,8 +206,8 @@ impl Spring {
             .then(|| format!("the force of spring {} or its derivative, at x = {x:.5} and v = {v:.5},", self.name))
     }
 
-    /// The length of the vector between both sides in the middle of a step over the mean of both ends': a distance then works as much as its energy
-    /// changes. 1 for everything else, and at an instant.
+    /// The length of the vector between both sides in the middle of a step over the mean of both ends': a distance then
+    /// works as much as its energy changes. 1 for everything else, and at an instant.
     fn shortening(&self, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> f64 {
         match passage {
             Passage::Step(step) if coordinate.measure == Measure::Length => {
@@ -241,8 +246,9 @@ impl Spring {
 
     /// How far from the middle of a step of `duration` s towards its end the damper's rate is taken, 0 to 1.
     ///
-    /// In the middle, a damper `c` multiplies the rate of a mass `m` by `(1 − z/2)/(1 + z/2)` a step, `z = c h/m`: beyond `z = 2` the rate changes its
-    /// sign with every step, and beyond 20 it hardly fades. Taken later by `1 − 2/z`, it makes the factor 0.
+    /// In the middle, a damper `c` multiplies the rate of a mass `m` by `(1 − z/2)/(1 + z/2)` a step, `z = c h/m`:
+    /// beyond `z = 2` the rate changes its sign with every step, and beyond 20 it hardly fades. Taken later by
+    /// `1 − 2/z`, it makes the factor 0.
     fn lateness(&self, duration: f64) -> f64 {
         lateness(self.decay_rate(), duration)
     }
@@ -252,7 +258,8 @@ impl Spring {
         self.damping * self.mobility
     }
 
-    /// Generalized forces against the motion of both sides, 24×1 each: the gradient of the energy, and the damper's part.
+    /// Generalized forces against the motion of both sides, 24×1 each: the gradient of the energy, and the damper's
+    /// part.
     pub fn gradient(&self, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> [MarkerVector; 2] {
         if self.is_idle() {
             return [MarkerVector::zeros(); 2];
@@ -261,8 +268,8 @@ impl Spring {
         coordinate.gradient(c).map(|by_side| by_side * tension)
     }
 
-    /// Derivative of [`Self::gradient`] by the coordinates of both sides, blocks `aa, ab, ba, bb`; over a step twice that by
-    /// the coordinates at its end. At an instant the velocities are fixed.
+    /// Derivative of [`Self::gradient`] by the coordinates of both sides, blocks `aa, ab, ba, bb`; over a step twice
+    /// that by the coordinates at its end. At an instant the velocities are fixed.
     pub fn hessian(&self, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> [MarkerMatrix; 4] {
         let mut blocks = [MarkerMatrix::zeros(); 4];
         self.set_hessian(coordinate, c, passage, &mut blocks);
@@ -319,7 +326,8 @@ impl Spring {
         damping_blocks(coordinate, c, damping)
     }
 
-    /// [`Self::damping_matrix`] at rest. Of friction the viscous part alone: what dry friction takes is not in proportion to a velocity.
+    /// [`Self::damping_matrix`] at rest. Of friction the viscous part alone: what dry friction takes is not in
+    /// proportion to a velocity.
     pub fn damping_at_rest(&self, coordinate: &RelativeCoordinate, c: &Configuration) -> [MarkerMatrix; 4] {
         let damping = match &self.law {
             Some(law @ (Law::Friction { .. } | Law::SmoothFriction { .. })) => law.viscosity(),
@@ -350,7 +358,8 @@ impl Spring {
         [coordinate.a, coordinate.b].iter().any(|side| matches!(side, Marker::Frame { .. }))
     }
 
-    /// Work over `step`, whose middle is `c`, J, as the step takes its forces: what moving frames put in, and what the damper takes out.
+    /// Work over `step`, whose middle is `c`, J, as the step takes its forces: what moving frames put in, and what the
+    /// damper takes out.
     pub fn step_work(&self, coordinate: &RelativeCoordinate, c: &Configuration, step: &TimeStep) -> [f64; 2] {
         if self.is_idle() {
             return [0.0; 2];
@@ -388,7 +397,8 @@ impl Spring {
         coordinate.measure.gradient(&coordinate.a.pose(c), &coordinate.b.pose(c)) * self.tension(coordinate, c, passage)
     }
 
-    /// Whether it does nothing now. Its measure may have no meaning then: the rotation vector of parts that turn freely.
+    /// Whether it does nothing now. Its measure may have no meaning then: the rotation vector of parts that turn
+    /// freely.
     pub fn is_idle(&self) -> bool {
         self.stiffness == 0.0 && self.damping == 0.0 && self.law.is_none()
     }
@@ -399,10 +409,12 @@ impl Spring {
     }
 }
 
-/// The mean force over a step minus that in time, over its difference from that of both halves: errors of means fall as the square of the length.
+/// The mean force over a step minus that in time, over its difference from that of both halves: errors of means fall as
+/// the square of the length.
 const RICHARDSON: f64 = 4.0 / 3.0;
 
-/// How far from the middle of a step of `duration` s towards its end the rate of a damper is taken that takes motion at `decay_rate`, 1/s.
+/// How far from the middle of a step of `duration` s towards its end the rate of a damper is taken that takes motion at
+/// `decay_rate`, 1/s.
 fn lateness(decay_rate: f64, duration: f64) -> f64 {
     1.0 - 2.0 / (decay_rate * duration).max(2.0)
 }

@@ -6,7 +6,8 @@ use nalgebra::{SMatrix, SVector};
 /// Most coordinates a marker can depend on: two nodes of ANCF24.
 pub const MARKER: usize = 24;
 
-/// A number for each of a marker's coordinates; those past the marker's own count are zero, here and in all that follows.
+/// A number for each of a marker's coordinates; those past the marker's own count are zero, here and in all that
+/// follows.
 pub type MarkerVector = SVector<f64, MARKER>;
 /// A vector quantity by a marker's coordinates, 3×24.
 pub type ByCoordinates = SMatrix<f64, 3, MARKER>;
@@ -23,7 +24,8 @@ pub struct MarkerJacobian {
 }
 
 impl MarkerJacobian {
-    /// Of a point at the end of `arm` (m, in space) on what turns by `turn_q` and is placed by the first three of `count` coordinates.
+    /// Of a point at the end of `arm` (m, in space) on what turns by `turn_q` and is placed by the first three of
+    /// `count` coordinates.
     pub fn of_arm(arm: &Vec3, turn_q: ByCoordinates, count: usize) -> Self {
         let mut place_q = ByCoordinates::zeros();
         for column in 0..count {

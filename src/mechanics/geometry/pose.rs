@@ -1,7 +1,7 @@
 //! Where something is and how it is turned, as twelve numbers: a place and three axes (MECHANICS 6).
 //!
-//! Joints are polynomials of the poses of their two sides. In these numbers a rigid body moves linearly, so that nothing but
-//! a node's own geometry has second derivatives.
+//! Joints are polynomials of the poses of their two sides. In these numbers a rigid body moves linearly, so that
+//! nothing but a node's own geometry has second derivatives.
 
 use crate::math::{Mat3, Vec3};
 use nalgebra::SMatrix;

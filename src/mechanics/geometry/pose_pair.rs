@@ -1,7 +1,7 @@
 //! Derivatives of what depends on two poses by their vectors: of joints' conditions and of what springs measure.
 //!
-//! Nearly all of it is made of scalar products of those vectors, whose second derivatives are scalars times the identity. What is not, angles
-//! and lengths, adds products of first derivatives.
+//! Nearly all of it is made of scalar products of those vectors, whose second derivatives are scalars times the
+//! identity. What is not, angles and lengths, adds products of first derivatives.
 
 use super::pose::VECTORS;
 use nalgebra::SMatrix;
@@ -12,7 +12,8 @@ pub type PairVector = SMatrix<f64, 3, PAIR>;
 /// Vectors of two poses.
 const PAIR: usize = 2 * VECTORS;
 
-/// Second derivatives by the vectors of two poses: `scalars_ij I + Σ weights_kl vector_k,i vector_l,jᵀ`; both are symmetric.
+/// Second derivatives by the vectors of two poses: `scalars_ij I + Σ weights_kl vector_k,i vector_l,jᵀ`; both are
+/// symmetric.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PairHessian {
     /// Of scalar products.
@@ -24,7 +25,8 @@ pub struct PairHessian {
 }
 
 impl PairHessian {
-    /// Adds `factor` times the second derivative of the scalar product of two different vectors, or half of that of the square of one.
+    /// Adds `factor` times the second derivative of the scalar product of two different vectors, or half of that of the
+    /// square of one.
     pub fn add_product(&mut self, one: usize, other: usize, factor: f64) {
         self.scalars[(one, other)] += factor;
         if one != other {

@@ -1,10 +1,12 @@
-//! A tangent with a normal, and how they are carried to another tangent: of nodes as drawn, and of nodes that carry a frame in time.
+//! A tangent with a normal, and how they are carried to another tangent: of nodes as drawn, and of nodes that carry a
+//! frame in time.
 
 use crate::math::Vec3;
 use crate::math::rotation::carry;
 use serde::{Deserialize, Serialize};
 
-/// Tangent `t` and normal `u`, orthonormal; the third axis is `t × u`. Of a node of ANCF14 the reference, constant during a step.
+/// Tangent `t` and normal `u`, orthonormal; the third axis is `t × u`. Of a node of ANCF14 the reference, constant
+/// during a step.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Triad {
     /// Reference tangent, unit.

@@ -1,4 +1,5 @@
-//! What acts from outside at one instant: gravity, the components of loads and the efforts of actuators, by functions of time or by a host.
+//! What acts from outside at one instant: gravity, the components of loads and the efforts of actuators, by functions
+//! of time or by a host.
 
 use crate::math::Vec3;
 use serde::{Deserialize, Serialize};
@@ -80,7 +81,8 @@ impl Excitation {
         self.efforts.clone_from(&other.efforts);
     }
 
-    /// Sets this to what lies between `start` and `end`, at `share` (0 to 1) of the way; loads and efforts that `start` lacks begin at nothing.
+    /// Sets this to what lies between `start` and `end`, at `share` (0 to 1) of the way; loads and efforts that `start`
+    /// lacks begin at nothing.
     pub fn set_between(&mut self, start: &Self, end: &Self, share: f64) {
         self.copy_from(end);
         self.gravity = start.gravity * (1.0 - share) + end.gravity * share;

@@ -94,7 +94,8 @@ impl Drive {
         }
     }
 
-    /// [`Self::advanced`], with the rate and the acceleration that it has just before `next`: from then on it drives no more.
+    /// [`Self::advanced`], with the rate and the acceleration that it has just before `next`: from then on it drives no
+    /// more.
     pub fn advanced_before(&self, number: usize, from: f64, (time, next): (f64, f64), targets: &Targets) -> Jet {
         let before = self.advanced(number, from, (time, next.next_down()), targets);
         Jet { value: self.advanced(number, from, (time, next), targets).value, ..before }

@@ -1,17 +1,18 @@
 //! What a host moves: where it is between two communication points.
 //!
-//! A host says where a drive or a frame is to be at the end of a communication step. From where it is it goes there on a cubic, from the
-//! velocity that it has to
+//! A host says where a drive or a frame is to be at the end of a communication step. From where it is it goes there on
+//! a cubic, from the velocity that it has to
 //!
 //! ```text
 //! w = s + a H/2,   a = (s − s′)/((H + H′)/2)
 //! ```
 //!
-//! with the mean velocity `s` and the length `H` of this step, `s′` and `H′` of the last one; in the first step `s′` is the velocity of the
-//! start, by the derivatives that the host gives, and `H′ = 0`. `a` is the change of velocity between the middles of the two steps.
-//! Constant accelerations, along a line or about a fixed axis, are followed exactly; the velocity has no jumps, which would strike all that is
-//! held rigidly; and nothing goes further back than two steps, so that no error is carried on.
-//! Frames turn by a rotation vector on such a cubic, from where they are along the shortest arc. Temperatures go on a straight line.
+//! with the mean velocity `s` and the length `H` of this step, `s′` and `H′` of the last one; in the first step `s′` is
+//! the velocity of the start, by the derivatives that the host gives, and `H′ = 0`. `a` is the change of velocity
+//! between the middles of the two steps. Constant accelerations, along a line or about a fixed axis, are followed
+//! exactly; the velocity has no jumps, which would strike all that is held rigidly; and nothing goes further back than
+//! two steps, so that no error is carried on. Frames turn by a rotation vector on such a cubic, from where they are
+//! along the shortest arc. Temperatures go on a straight line.
 
 use super::excitation::{HostEffort, HostWrench};
 use super::heat::Heat;
@@ -171,7 +172,8 @@ impl Targets {
         MovingPose { pose, velocity, acceleration: Pose { place: line.acceleration, axes } }
     }
 
-    /// Temperature number `number` of those that a host gives, at `time`, s: it goes linearly to the one that is wanted.
+    /// Temperature number `number` of those that a host gives, at `time`, s: it goes linearly to the one that is
+    /// wanted.
     pub(super) fn heat(&self, number: usize, time: f64) -> Heat {
         match self.leg(time) {
             // At the end the very temperature that was wanted.
@@ -211,7 +213,8 @@ struct HermitePath<V> {
 }
 
 impl Leg {
-    /// How what moves on by `change` in this step does so, from `velocity`; `mean` is its mean velocity in the last one.
+    /// How what moves on by `change` in this step does so, from `velocity`; `mean` is its mean velocity in the last
+    /// one.
     fn path<V>(&self, change: V, velocity: V, mean: V) -> HermitePath<V>
     where
         V: Copy + Add<Output = V> + Sub<Output = V> + Mul<f64, Output = V> + Div<f64, Output = V>,
@@ -241,7 +244,8 @@ impl Leg {
     }
 }
 
-/// The way (m) and the shortest turn (rotation vector, rad) from one pose to another: exactly none where they are the same.
+/// The way (m) and the shortest turn (rotation vector, rad) from one pose to another: exactly none where they are the
+/// same.
 fn way(from: &Pose, to: &Pose) -> [Vec3; 2] {
     let turn = if from.axes == to.axes {
         Vec3::zeros()
@@ -256,7 +260,8 @@ mod tests {
     use super::*;
     use crate::math::rotation::rotation_matrix;
 
-    /// A drive and a frame that a host moves through the values `wanted` at the ends of communication steps; `watch` gets the targets in each.
+    /// A drive and a frame that a host moves through the values `wanted` at the ends of communication steps; `watch`
+    /// gets the targets in each.
     fn move_through(ends: &[f64], wanted: impl Fn(f64) -> (f64, Pose), mut watch: impl FnMut(&Targets)) {
         let mut targets = Targets::default();
         let (value, pose) = wanted(0.0);
@@ -282,7 +287,8 @@ mod tests {
 
     const ENDS: [f64; 7] = [0.01, 0.02, 0.025, 0.045, 0.05, 0.07, 0.08];
 
-    /// Places and turns with constant acceleration from rest, through steps of any length: followed exactly at every time between.
+    /// Places and turns with constant acceleration from rest, through steps of any length: followed exactly at every
+    /// time between.
     #[test]
     fn constant_accelerations_are_followed() {
         let (way, axis) = (Vec3::new(1.0, -2.0, 0.5), Vec3::new(2.0, 1.0, -3.0));
@@ -382,7 +388,8 @@ mod tests {
         assert!((found.axes - rotation_matrix(&(turn * 0.25)) * axes).norm() < 1e-14);
     }
 
-    /// A jump by 1 in the second of some steps is reached at its end; the motion overshoots in the two steps after it, and rests from then on.
+    /// A jump by 1 in the second of some steps is reached at its end; the motion overshoots in the two steps after it,
+    /// and rests from then on.
     #[test]
     fn jumps_overshoot_for_two_steps() {
         let ends = [0.1, 0.2, 0.3, 0.4, 0.5];

@@ -1,4 +1,5 @@
-//! What is given from outside: functions of time, loads at an instant, drives and moving frames, switches, and the motion that a host asks for.
+//! What is given from outside: functions of time, loads at an instant, drives and moving frames, switches, and the
+//! motion that a host asks for.
 
 pub mod excitation;
 pub mod guide;

@@ -1,4 +1,5 @@
-//! What is prescribed at an instant: the values of drives, the motion of frames, the temperatures of beams, and what holds.
+//! What is prescribed at an instant: the values of drives, the motion of frames, the temperatures of beams, and what
+//! holds.
 
 use super::heat::Heat;
 use super::switch::Hold;
@@ -93,7 +94,8 @@ impl Prescribed {
         drives.chain(frames).fold(0.0, f64::max)
     }
 
-    /// The largest turn of a frame from `start` to here, judged by its angular velocity at both ends, over `duration` s; with the number of the frame.
+    /// The largest turn of a frame from `start` to here, judged by its angular velocity at both ends, over `duration`
+    /// s; with the number of the frame.
     pub fn largest_turn(&self, start: &Self, duration: f64) -> Option<(usize, f64)> {
         let speed = |frame: &MovingPose| {
             crate::mechanics::geometry::pose::angular_velocity(&frame.pose, &frame.velocity).norm()

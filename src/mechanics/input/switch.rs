@@ -1,4 +1,5 @@
-//! What engages and releases a joint, a lock or a drive, by a function of time or by a host, and where it holds what it has engaged (MECHANICS 7.10).
+//! What engages and releases a joint, a lock or a drive, by a function of time or by a host, and where it holds what it
+//! has engaged (MECHANICS 7.10).
 
 use super::signal::Signal;
 use crate::mechanics::geometry::pose::Pose;

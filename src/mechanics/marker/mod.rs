@@ -1,7 +1,9 @@
-//! A point and a frame that joints, loads and sensors hold on to: on the ground, a moving frame, a body, at a node, inside an element.
+//! A point and a frame that joints, loads and sensors hold on to: on the ground, a moving frame, a body, at a node,
+//! inside an element.
 //!
-//! Loads ask a marker for its pose, how it moves with the coordinates (`jacobian`), and how the generalized force of a wrench
-//! changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q` (`pose_gradient`).
+//! Loads ask a marker for its pose, how it moves with the coordinates (`jacobian`), and how the generalized force of a
+//! wrench changes with them (`wrench_stiffness`). Joints and springs, which are functions of poses, ask for `pose_q`
+//! (`pose_gradient`).
 
 pub mod configuration;
 mod motion;
@@ -32,7 +34,8 @@ fn turned(turn_q: &ByCoordinates, block: &Mat3, count: usize) -> MarkerMatrix {
     sum
 }
 
-/// How the moment of a force frozen in space changes with the turn of its arm: `d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ`.
+/// How the moment of a force frozen in space changes with the turn of its arm:
+/// `d(a × f) = (dφ × a) × f = (a fᵀ − (a·f) I) dφ`.
 fn of_arm(arm: &Vec3, force: &Vec3) -> Mat3 {
     arm * force.transpose() - Mat3::identity() * arm.dot(force)
 }
@@ -101,7 +104,8 @@ impl Marker {
         Self::Section { element, xi, offset: Vec3::zeros(), axes: Mat3::identity() }
     }
 
-    /// The marker `offset` (m) away from this one, with axes turned by `axes`: both relative to this one's axes, to which it is rigidly tied.
+    /// The marker `offset` (m) away from this one, with axes turned by `axes`: both relative to this one's axes, to
+    /// which it is rigidly tied.
     #[must_use]
     pub fn carried(&self, offset: &Vec3, axes: &Mat3) -> Self {
         let tie = |own: &Vec3, turned: &Mat3| (own + turned * offset, turned * axes);
@@ -283,7 +287,8 @@ impl Marker {
         }
     }
 
-    /// Adds `∂(turn_qᵀ m)/∂q` of a moment (N m) frozen in space to `sum`, of what turns in itself: a section of a beam, at a node or between.
+    /// Adds `∂(turn_qᵀ m)/∂q` of a moment (N m) frozen in space to `sum`, of what turns in itself: a section of a beam,
+    /// at a node or between.
     pub fn add_moment_stiffness(&self, c: &Configuration, moment: &Vec3, sum: &mut MarkerMatrix) {
         match self {
             Self::Ground(_) | Self::Frame { .. } | Self::Body { .. } => {}

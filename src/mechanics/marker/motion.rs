@@ -10,7 +10,8 @@ impl Marker {
         self.pose_q(c).times(&own_velocity(c, self, velocity)) + self.pose_t(c)[0].vectors()
     }
 
-    /// Second derivatives by time of the vectors of the pose, at the velocities of all coordinates and their derivatives `acceleration`.
+    /// Second derivatives by time of the vectors of the pose, at the velocities of all coordinates and their
+    /// derivatives `acceleration`.
     pub fn pose_acceleration(&self, c: &Configuration, velocity: &[f64], acceleration: &[f64]) -> PoseVector {
         let pose_q = self.pose_q(c);
         let [velocity, acceleration] = [velocity, acceleration].map(|list| own_velocity(c, self, list));

@@ -1,8 +1,10 @@
-//! What somebody sees who moves with a marker: places from its origin, directions along its axes, rates as measured there.
+//! What somebody sees who moves with a marker: places from its origin, directions along its axes, rates as measured
+//! there.
 //!
-//! With the place `o` and the axes `a_i` of the marker, the place of a point `x` has the components `p_i = a_i·d`, `d = x − o`. Velocity and acceleration are
-//! the derivatives of these numbers: `p_i' = a_i'·d + a_i·d'`, `p_i'' = a_i''·d + 2 a_i'·d' + a_i·d''`. In vectors, with the angular velocity `ω` of the marker,
-//! `d' − ω × d` and `d'' − ω' × d − ω × (ω × d) − 2 ω × (d' − ω × d)` along its axes.
+//! With the place `o` and the axes `a_i` of the marker, the place of a point `x` has the components `p_i = a_i·d`,
+//! `d = x − o`. Velocity and acceleration are the derivatives of these numbers: `p_i' = a_i'·d + a_i·d'`,
+//! `p_i'' = a_i''·d + 2 a_i'·d' + a_i·d''`. In vectors, with the angular velocity `ω` of the marker, `d' − ω × d` and
+//! `d'' − ω' × d − ω × (ω × d) − 2 ω × (d' − ω × d)` along its axes.
 
 use super::Marker;
 use super::configuration::Configuration;
@@ -39,7 +41,8 @@ impl Observer {
         self.marker.pose(c).axes.tr_mul(vector)
     }
 
-    /// Velocity (m/s) and angular velocity (rad/s), as seen, of what is at `place` and has them as `motion` in global axes.
+    /// Velocity (m/s) and angular velocity (rad/s), as seen, of what is at `place` and has them as `motion` in global
+    /// axes.
     pub fn motion(&self, c: &Configuration, velocity: &[f64], place: &Vec3, motion: (Vec3, Vec3)) -> (Vec3, Vec3) {
         let (own, rate) = (self.marker.pose(c), pose(&self.marker.pose_rate(c, velocity)));
         let linear = rate.axes.tr_mul(&(place - own.place)) + own.axes.tr_mul(&(motion.0 - rate.place));

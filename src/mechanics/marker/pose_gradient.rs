@@ -1,7 +1,8 @@
-//! How the vectors of a pose move with the coordinates of its marker, and the way back: derivatives by poses as derivatives by coordinates.
+//! How the vectors of a pose move with the coordinates of its marker, and the way back: derivatives by poses as
+//! derivatives by coordinates.
 //!
-//! A pose on a body is linear in the body's coordinates. One on a beam moves with its place and turns: `dX = dx + dφ × arm` for the place, `dφ × axis`
-//! for an axis.
+//! A pose on a body is linear in the body's coordinates. One on a beam moves with its place and turns:
+//! `dX = dx + dφ × arm` for the place, `dφ × axis` for an axis.
 
 use super::Marker;
 use crate::math::{Mat3, Vec3};
@@ -147,8 +148,8 @@ impl PoseGradient {
         sum
     }
 
-    /// Sets `block` to the second derivative by the coordinates of this pose (rows) and of `other` (columns) of what has the second derivatives
-    /// `scalars` times the identity by their vectors.
+    /// Sets `block` to the second derivative by the coordinates of this pose (rows) and of `other` (columns) of what
+    /// has the second derivatives `scalars` times the identity by their vectors.
     fn pull_back_scalars(&self, scalars: &SMatrix<f64, VECTORS, VECTORS>, other: &Self, block: &mut MarkerMatrix) {
         let is_zero = scalars.as_slice().iter().all(|value| *value == 0.0);
         let mut clear =
@@ -182,7 +183,8 @@ impl PoseGradient {
         }
     }
 
-    /// Adds `∂(pose_qᵀ f)/∂q` of frozen forces on the vectors of the pose, the pose of `marker`: where it turns, it bends.
+    /// Adds `∂(pose_qᵀ f)/∂q` of frozen forces on the vectors of the pose, the pose of `marker`: where it turns, it
+    /// bends.
     pub fn add_bend(&self, marker: &Marker, c: &Configuration, force: &PoseVector, block: &mut MarkerMatrix) {
         let Self::Beam(beam) = self else { return };
         if beam.turns().is_empty() {
@@ -199,7 +201,8 @@ impl PoseGradient {
         marker.add_moment_stiffness(c, &beam.moment(force), block);
     }
 
-    /// Second derivative of the vectors of the pose, the pose of `marker`, by time when coordinates change at the constant rates `velocity`.
+    /// Second derivative of the vectors of the pose, the pose of `marker`, by time when coordinates change at the
+    /// constant rates `velocity`.
     pub fn convective(&self, marker: &Marker, c: &Configuration, velocity: &MarkerVector) -> PoseVector {
         let Self::Beam(beam) = self else { return PoseVector::zeros() };
         let spin: Vec3 = beam.turn_q * velocity;
@@ -225,9 +228,9 @@ pub fn of_side(pair: &PairVector, side: usize) -> PoseVector {
     pair.fixed_columns::<VECTORS>(VECTORS * side).into_owned()
 }
 
-/// Sets `blocks` to the second derivative by the coordinates of both sides, `aa, ab, ba, bb`, of what has these derivatives by the vectors of their poses,
-/// which move as `sides` say.
-/// Only the rows and columns of the markers' own coordinates are set.
+/// Sets `blocks` to the second derivative by the coordinates of both sides, `aa, ab, ba, bb`, of what has these
+/// derivatives by the vectors of their poses, which move as `sides` say. Only the rows and columns of the markers' own
+/// coordinates are set.
 pub fn pull_back(
     c: &Configuration,
     markers: [&Marker; 2],

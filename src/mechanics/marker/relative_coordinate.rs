@@ -59,7 +59,8 @@ impl RelativeCoordinate {
         self.measure.gradient(&a, &b).dot(&self.pose_rates(c, velocity))
     }
 
-    /// Its second derivative by time, m/s² or rad/s², at the velocities of all coordinates and their derivatives `acceleration`.
+    /// Its second derivative by time, m/s² or rad/s², at the velocities of all coordinates and their derivatives
+    /// `acceleration`.
     pub fn acceleration(&self, c: &Configuration, velocity: &[f64], acceleration: &[f64]) -> f64 {
         let [a, b] = self.poses(c);
         let rates = self.pose_rates(c, velocity);
@@ -180,7 +181,8 @@ impl Measure {
         }
     }
 
-    /// Adds `factor` times the product of its derivative with itself to what [`Self::add_hessian`] has added: the bend of a function of it.
+    /// Adds `factor` times the product of its derivative with itself to what [`Self::add_hessian`] has added: the bend
+    /// of a function of it.
     pub fn add_square(self, a: &Pose, b: &Pose, factor: f64, sum: &mut PairHessian) {
         if factor == 0.0 {
             return;

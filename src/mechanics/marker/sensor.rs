@@ -1,4 +1,5 @@
-//! What can be measured at a point: its motion, and at a point of a beam the section's strains with the signs of the model file.
+//! What can be measured at a point: its motion, and at a point of a beam the section's strains with the signs of the
+//! model file.
 
 use super::observer::Observer;
 use super::{Marker, own_velocity};
@@ -33,7 +34,8 @@ struct Section {
 }
 
 impl Sensor {
-    /// On `marker`, in the configuration `c` as drawn; `on_beam` is the beam and the fraction of its length where it is a point of one.
+    /// On `marker`, in the configuration `c` as drawn; `on_beam` is the beam and the fraction of its length where it is
+    /// a point of one.
     pub fn new(beams: &[Beam], c: &Configuration, marker: Marker, on_beam: Option<(usize, f64)>) -> Self {
         let beam = on_beam.map(|(beam, _)| &beams[beam]);
         let sections = match (marker, beam) {
@@ -47,8 +49,8 @@ impl Sensor {
         Self { marker, drawn: marker.pose(c), on_beam, observer: None, sections }
     }
 
-    /// The element, with the place in it, whose strains turn the section beyond its marker: of a point inside an element. What is tied to the section turns
-    /// with the marker, as loads and springs do.
+    /// The element, with the place in it, whose strains turn the section beyond its marker: of a point inside an
+    /// element. What is tied to the section turns with the marker, as loads and springs do.
     fn relaxed(&self) -> Option<(usize, f64)> {
         match (self.marker, self.on_beam) {
             (Marker::Section { element, xi, .. }, Some(_)) => Some((element, xi)),
@@ -122,7 +124,8 @@ impl Sensor {
         [turned.w, turned.i, turned.j, turned.k]
     }
 
-    /// Angle of its x axis from the direction as drawn, rad, as its observer sees both; `rotation` is the rotation vector.
+    /// Angle of its x axis from the direction as drawn, rad, as its observer sees both; `rotation` is the rotation
+    /// vector.
     pub fn tilt(&self, rotation: &Vec3) -> f64 {
         let drawn = self.seen_drawn().axis(0);
         let now = rotation_matrix(rotation) * drawn;
@@ -157,13 +160,15 @@ impl Sensor {
 }
 
 impl Sensor {
-    /// Acceleration in global axes, m/s², from the velocities of the coordinates and their second derivatives `acceleration`.
+    /// Acceleration in global axes, m/s², from the velocities of the coordinates and their second derivatives
+    /// `acceleration`.
     pub fn acceleration(&self, c: &Configuration, velocity: &[f64], acceleration: &[f64]) -> Vec3 {
         let [_, explicit] = self.marker.pose_t(c);
         let place_q = self.marker.jacobian(c).place_q;
         let own = self.marker.coordinates(c.mesh).enumerate();
         let sum = own.fold(explicit.place, |sum, (local, index)| sum + place_q.column(local) * acceleration[index]);
-        // On the axis of a beam places are linear in the coordinates, and on a body all are: the directors have the centripetal part.
+        // On the axis of a beam places are linear in the coordinates, and on a body all are: the directors have the
+        // centripetal part.
         if self.marker.arm() == Vec3::zeros() {
             return sum;
         }

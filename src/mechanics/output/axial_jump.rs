@@ -1,5 +1,5 @@
-//! Axial forces that jump at an inner node, where a load, a joint or a spring holds the beam. The stretch `|r'|` is one unknown at a node: the jump is spread over
-//! both elements, with an overshoot of 6 % of it, however fine the mesh is.
+//! Axial forces that jump at an inner node, where a load, a joint or a spring holds the beam. The stretch `|r'|` is one
+//! unknown at a node: the jump is spread over both elements, with an overshoot of 6 % of it, however fine the mesh is.
 
 use super::strain_fit::StrainFit;
 use crate::mechanics::beam::Beam;
@@ -25,7 +25,8 @@ pub struct AxialJump {
 }
 
 impl System {
-    /// The largest jump of the axial force at an inner node that `sensor` is within an element of; none where nothing acts there.
+    /// The largest jump of the axial force at an inner node that `sensor` is within an element of; none where nothing
+    /// acts there.
     pub fn axial_jump_near(&self, c: &Configuration, sensor: &Sensor) -> Option<AxialJump> {
         let (number, _) = sensor.on_beam?;
         let beam = &self.beams[number];
@@ -54,7 +55,8 @@ impl System {
 
     /// Mean axial force of an element, N.
     fn mean_axial_force(&self, c: &Configuration, element: usize) -> f64 {
-        // The undeformed shape takes curvature and torsion away only, but for the stretch, which is 1 between unit tangents to a high order.
+        // The undeformed shape takes curvature and torsion away only, but for the stretch, which is 1 between unit
+        // tangents to a high order.
         let drawn = SectionShape { stretch: 1.0, ..SectionShape::default() };
         PLACES.iter().map(|xi| 0.5 * self.mesh.elements[element].section_forces(&c.beams, *xi, &drawn).axial).sum()
     }

@@ -24,7 +24,8 @@ pub struct BeamScale {
 }
 
 impl BeamScale {
-    /// What a strain of 1 would amount to in an element of Young's modulus `young`, Pa, fitted by `fit`, in a system of this `size`, m.
+    /// What a strain of 1 would amount to in an element of Young's modulus `young`, Pa, fitted by `fit`, in a system of
+    /// this `size`, m.
     pub fn of_unit_strain(fit: &StrainFit, young: f64, size: f64) -> Self {
         let axial = fit.element.stiffness.axial;
         let rigidity = fit.rigidities.iter().fold(0.0, |most: f64, own| own.max(most));
@@ -38,7 +39,8 @@ impl BeamScale {
         }
     }
 
-    /// What an element of Young's modulus `young`, Pa, of a beam of this `length`, m, has relieved of its strains without stress; nothing where it has none.
+    /// What an element of Young's modulus `young`, Pa, of a beam of this `length`, m, has relieved of its strains
+    /// without stress; nothing where it has none.
     pub fn relieved(fit: &StrainFit, young: f64, length: f64) -> Option<Self> {
         let relief = fit.relief?;
         // The half side of a rectangle with the same rigidities: I = A side²/12.

@@ -1,5 +1,6 @@
-//! Clamped ends of taut beams. Under a tension `T` a beam bends at a clamped end within its bending length, `√(EI/T)`, and is nearly straight beyond it. An
-//! element that is longer leaves this bend out: its energy is small, but the moment at the end is wrong.
+//! Clamped ends of taut beams. Under a tension `T` a beam bends at a clamped end within its bending length, `√(EI/T)`,
+//! and is nearly straight beyond it. An element that is longer leaves this bend out: its energy is small, but the
+//! moment at the end is wrong.
 
 use super::strain_fit::StrainFit;
 use crate::mechanics::constraint::joint::Joint;
@@ -59,7 +60,8 @@ fn clamped_node(joint: &Joint) -> Option<usize> {
     }
 }
 
-/// The bend of an element at `side` of its middle, in lengths, in the direction in which its bending length is shorter; none: it is not taut, or straight.
+/// The bend of an element at `side` of its middle, in lengths, in the direction in which its bending length is shorter;
+/// none: it is not taut, or straight.
 fn bend(fit: &StrainFit, side: f64) -> Option<CoarseEnd> {
     let (length, tension) = (fit.length(), fit.force().mean);
     let is_bent = |k: &usize| fit.strains[*k].at(side * length).abs() * length > STRAIGHT;

@@ -1,7 +1,9 @@
-//! How far fibers of sections strain, and by how much the law of large strain then departs from rigidities: forces and moments in proportion to elongation and curvature.
+//! How far fibers of sections strain, and by how much the law of large strain then departs from rigidities: forces and
+//! moments in proportion to elongation and curvature.
 //!
-//! The law is linear between Green's strain and its stress (MECHANICS 3.2b). A beam of a rectangular section that is bent without an axial force has the moment `EI κ (1 − 1.2 ε²)`, `ε` the strain of its outermost
-//! fibers, and without bending the axial force is `EA ε (1 + 1.5 ε)`. The size of a section is that of the rectangle with its rigidities.
+//! The law is linear between Green's strain and its stress (MECHANICS 3.2b). A beam of a rectangular section that is
+//! bent without an axial force has the moment `EI κ (1 − 1.2 ε²)`, `ε` the strain of its outermost fibers, and without
+//! bending the axial force is `EA ε (1 + 1.5 ε)`. The size of a section is that of the rectangle with its rigidities.
 
 use super::strain_fit::StrainFit;
 use crate::mechanics::beam::ancf14::strain::Strain;
@@ -50,7 +52,8 @@ impl FiberStrain {
 }
 
 impl System {
-    /// The law of large strain as a cause of a path that breaks off at `c`, in words that continue a sentence; empty where no fiber strains far.
+    /// The law of large strain as a cause of a path that breaks off at `c`, in words that continue a sentence; empty
+    /// where no fiber strains far.
     pub fn doubt_of_strain(&self, c: &Configuration) -> String {
         let fibers = self.mesh_error(c).fibers;
         if fibers.largest() < NOTABLE {

@@ -1,6 +1,8 @@
-//! What passes between the two sides of a joint of the model file: constraint forces, springs and dampers, drives, actuators.
+//! What passes between the two sides of a joint of the model file: constraint forces, springs and dampers, drives,
+//! actuators.
 //!
-//! Constraint forces are those of multipliers `λ` at the time of the configuration: `−Gᵀλ` acts on the system (MECHANICS 6).
+//! Constraint forces are those of multipliers `λ` at the time of the configuration: `−Gᵀλ` acts on the system
+//! (MECHANICS 6).
 
 use crate::math::Vec3;
 use crate::mechanics::constraint::joint::{Held, Holding, Joint};
@@ -23,7 +25,8 @@ enum Side {
     B,
 }
 
-/// What acts at an instant: the state with its configuration, how it is passed through, and the multipliers of all conditions.
+/// What acts at an instant: the state with its configuration, how it is passed through, and the multipliers of all
+/// conditions.
 #[derive(Clone, Copy, Debug)]
 pub struct JointLoads<'a> {
     /// The system.

@@ -1,12 +1,14 @@
 //! How much strain energy a mesh leaves out: an estimate in the manner of Zienkiewicz and Zhu, from one state.
 //!
-//! The strains of each element are compared with smooth ones, which go through the means of both neighbors at the node between them and bend as the
-//! slopes of neighbors do; the energy of the difference is what the elements cannot follow. With `d` half of a jump at either end and `b` the part that a
-//! line leaves out (strain_fit.rs), at its ends `c l²/6`, it is `EI/2 l ((d₀² + d₀ d₁ + d₁²)/3 + b²/5)`. In equilibrium under loads that share is by how much
+//! The strains of each element are compared with smooth ones, which go through the means of both neighbors at the node
+//! between them and bend as the slopes of neighbors do; the energy of the difference is what the elements cannot
+//! follow. With `d` half of a jump at either end and `b` the part that a line leaves out (strain_fit.rs), at its ends
+//! `c l²/6`, it is `EI/2 l ((d₀² + d₀ d₁ + d₁²)/3 + b²/5)`. In equilibrium under loads that share is by how much
 //! displacements are off, of their own size.
 //!
-//! Only nodes at which nothing acts are compared: elsewhere strains may jump. An element without such a node bends at least as the load across it does, its
-//! weight and the axial force times the curvature: `EI κ'' = q + N κ` inside it, while the element has 0. A taut one takes the load as a string, `κ = q/N`.
+//! Only nodes at which nothing acts are compared: elsewhere strains may jump. An element without such a node bends at
+//! least as the load across it does, its weight and the axial force times the curvature: `EI κ'' = q + N κ` inside it,
+//! while the element has 0. A taut one takes the load as a string, `κ = q/N`.
 
 use super::beam_scale::BeamScale;
 use super::fiber_strain::FiberStrain;
@@ -149,7 +151,8 @@ impl System {
         let curvature = (square(&own.strains[0]) + square(&own.strains[1])).sqrt();
         let rigidity = own.rigidities[0].min(own.rigidities[1]);
         let force = own.force().mean;
-        // A taut element bends within its bending length at its ends only, and hangs as a string between: its curvature is the load over the tension there.
+        // A taut element bends within its bending length at its ends only, and hangs as a string between: its curvature
+        // is the load over the tension there.
         let stiffness = 12.0 * rigidity / (length * length) + force.max(0.0);
         let beyond = (across + force.abs() * curvature) / stiffness;
         0.5 * rigidity * length * beyond * beyond / 5.0
@@ -178,7 +181,8 @@ fn left_out(neighborhood: &Neighborhood, k: usize) -> f64 {
     0.5 * own.rigidities[k] * length * (jumps + beyond)
 }
 
-/// Energy of stretching that an element leaves out, J: its axial force against the line that the means of neighbors make.
+/// Energy of stretching that an element leaves out, J: its axial force against the line that the means of neighbors
+/// make.
 fn left_out_of_stretching(neighborhood: &Neighborhood) -> f64 {
     let own = &neighborhood.own;
     let (length, force) = (own.length(), own.force());

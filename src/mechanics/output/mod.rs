@@ -1,4 +1,5 @@
-//! What is read off a system: reactions, stress, section forces, mode shapes, and signs of a mesh that is too coarse or too fine.
+//! What is read off a system: reactions, stress, section forces, mode shapes, and signs of a mesh that is too coarse or
+//! too fine.
 
 pub mod axial_jump;
 pub mod beam_scale;

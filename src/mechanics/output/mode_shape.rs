@@ -51,8 +51,9 @@ impl System {
         markers.map(moved).collect()
     }
 
-    /// The small motion `motion` about `from`, seen about `to`: places move and parts turn alike. Coordinates that are directions fixed to a
-    /// part, of bodies and of sections that are not turned by an angle, turn with the part from one to the other.
+    /// The small motion `motion` about `from`, seen about `to`: places move and parts turn alike. Coordinates that are
+    /// directions fixed to a part, of bodies and of sections that are not turned by an angle, turn with the part from
+    /// one to the other.
     pub fn motion_about(&self, motion: &[f64], from: &Configuration, to: &Configuration) -> Vec<f64> {
         let mut carried = motion.to_vec();
         let (offset, axes) = (Vec3::zeros(), Mat3::identity());
@@ -104,7 +105,8 @@ impl System {
         Extreme { what: format!("{where_}, {way} {}", axes.join(" and ")), amount: first.copied().unwrap_or(0.0) }
     }
 
-    /// Share of the kinetic energy of velocities `motion` that is in the spin of sections and the turning of bodies, 0 to 1.
+    /// Share of the kinetic energy of velocities `motion` that is in the spin of sections and the turning of bodies, 0
+    /// to 1.
     fn turning_share(&self, motion: &[f64]) -> f64 {
         let mut momentum = vec![0.0; motion.len()];
         self.mass_times(&[], motion, &mut momentum);

@@ -1,9 +1,11 @@
-//! Meshes that double precision or beam theory cannot follow: elements far shorter than their neighbors, or than their section is thick.
+//! Meshes that double precision or beam theory cannot follow: elements far shorter than their neighbors, or than their
+//! section is thick.
 
 use crate::mechanics::beam::Beam;
 use crate::mechanics::system::System;
 
-/// An element below this share of the longest one of its beam has a bending stiffness, `E I/l³`, that hides the others' in double precision.
+/// An element below this share of the longest one of its beam has a bending stiffness, `E I/l³`, that hides the others'
+/// in double precision.
 const UNEQUAL: f64 = 1e-3;
 
 /// An element shorter than this share of its section's radius of gyration is finer than beam theory resolves.
@@ -22,7 +24,8 @@ impl System {
         })
     }
 
-    /// The element far shorter than the others of the beam that coordinate `index` belongs to, in words, if there is one.
+    /// The element far shorter than the others of the beam that coordinate `index` belongs to, in words, if there is
+    /// one.
     pub fn too_short_element(&self, index: usize) -> Option<String> {
         let node = (index < self.mesh.coordinates()).then(|| self.mesh.node_of(index))?;
         let beam = self.beams.iter().find(|beam| beam.node_range().contains(&node))?;
@@ -31,7 +34,8 @@ impl System {
             .then(|| format!("element {element} of {}, {:.1e} of the longest one,", beam.name, shortest / longest))
     }
 
-    /// The beams whose elements are finer than beam theory resolves, each as a sentence: they take time, and come near to round-off.
+    /// The beams whose elements are finer than beam theory resolves, each as a sentence: they take time, and come near
+    /// to round-off.
     pub fn too_fine_meshes(&self) -> Vec<String> {
         let fine = self.beams.iter().filter_map(|beam| {
             let [_, (_, longest)] = self.extreme_elements(beam);

@@ -7,7 +7,8 @@ use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::system::System;
 
 impl Sensor {
-    /// Material twist from the beam's start to here (off the beams 0), undeformed value taken off, rad: the sum of `l tau` (MECHANICS, trap 16).
+    /// Material twist from the beam's start to here (off the beams 0), undeformed value taken off, rad: the sum of
+    /// `l tau` (MECHANICS, trap 16).
     pub fn twist(&self, system: &System, c: &Configuration) -> f64 {
         let (Some((beam, _)), Some((element, xi))) = (self.on_beam, self.places().next()) else { return 0.0 };
         let elements = &c.mesh.elements;
@@ -15,7 +16,8 @@ impl Sensor {
         before.iter().map(|element| element.twist(&c.beams, 1.0)).sum::<f64>() + elements[element].twist(&c.beams, xi)
     }
 
-    /// Largest von Mises stress over the section's outline, Pa; at an inner node of the mean strains. None without an outline.
+    /// Largest von Mises stress over the section's outline, Pa; at an inner node of the mean strains. None without an
+    /// outline.
     pub fn stress(&self, system: &System, c: &Configuration) -> Option<f64> {
         self.on_section(system, c, resultants::largest_stress)
     }

@@ -1,10 +1,12 @@
-//! Force and moments of a section as its neighborhood tells them: smoother than what the section itself tells, and of a higher order.
+//! Force and moments of a section as its neighborhood tells them: smoother than what the section itself tells, and of a
+//! higher order.
 //!
-//! An element of ANCF14 has the mean and the slope of its curvature right, but not its values at the ends, where outputs mostly are: under a load across the
-//! beam they are off by `q l²/12`, at all nodes alike, so that nothing jumps. The bend that neighbors show makes up for it (strain_fit.rs).
+//! An element of ANCF14 has the mean and the slope of its curvature right, but not its values at the ends, where
+//! outputs mostly are: under a load across the beam they are off by `q l²/12`, at all nodes alike, so that nothing
+//! jumps. The bend that neighbors show makes up for it (strain_fit.rs).
 //!
-//! The axial force has only its mean over an element right: neighbors share the stretch of the node between them, which bends the line inside both. Its smooth
-//! values are those of a parabola with the means of three elements.
+//! The axial force has only its mean over an element right: neighbors share the stretch of the node between them, which
+//! bends the line inside both. Its smooth values are those of a parabola with the means of three elements.
 
 use super::strain_fit::{Line, Neighborhood, StrainFit, bend, mean, rise};
 use crate::mechanics::beam::Beam;
@@ -42,8 +44,9 @@ impl System {
         Some(sum)
     }
 
-    /// Axial force at `x` from the middle of element `number` of `beam`, m, in N: the parabola whose means over three elements are theirs. At the last element
-    /// before an end it is the parabola of its neighbor, and a straight line where there are two elements only.
+    /// Axial force at `x` from the middle of element `number` of `beam`, m, in N: the parabola whose means over three
+    /// elements are theirs. At the last element before an end it is the parabola of its neighbor, and a straight line
+    /// where there are two elements only.
     fn smooth_axial(&self, beam: &Beam, number: usize, own: &Neighborhood, c: &Configuration, x: f64) -> f64 {
         let force = |fit: &StrainFit| fit.force();
         let [before, after] = own.differences(|before, after| rise(before, after, force));
@@ -79,7 +82,8 @@ fn smooth_strain(neighborhood: &Neighborhood, k: usize, x: f64) -> f64 {
     }
 }
 
-/// A quantity that elements have as a line, with the bend that neighbors show, at `x` from the middle of the element, m.
+/// A quantity that elements have as a line, with the bend that neighbors show, at `x` from the middle of the element,
+/// m.
 fn smooth(neighborhood: &Neighborhood, quantity: impl Fn(&StrainFit) -> Line + Copy, x: f64) -> f64 {
     let own = &neighborhood.own;
     let bend = mean(neighborhood.differences(|before, after| bend(before, after, quantity)));

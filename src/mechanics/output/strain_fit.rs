@@ -1,9 +1,10 @@
-//! What an element's energy resolves of its strains, by least squares: curvatures and axial force as straight lines of its length, torsion as a constant
-//! with linear twist, else as a line too.
+//! What an element's energy resolves of its strains, by least squares: curvatures and axial force as straight lines of
+//! its length, torsion as a constant with linear twist, else as a line too.
 //!
-//! Where nodes have the right places and slopes, mean and slope of the curvature are right, and so is the mean torsion. What the beam has beyond them shows in the
-//! differences between neighbors: with `c` half the second derivative of the curvature along the beam, `(slope₁ − slope₀)/(l₀ + l₁)` of two of them,
-//! the part that the line leaves out is `c (x² − l²/12)`, x from the middle of the element.
+//! Where nodes have the right places and slopes, mean and slope of the curvature are right, and so is the mean torsion.
+//! What the beam has beyond them shows in the differences between neighbors: with `c` half the second derivative of the
+//! curvature along the beam, `(slope₁ − slope₀)/(l₀ + l₁)` of two of them, the part that the line leaves out is
+//! `c (x² − l²/12)`, x from the middle of the element.
 
 use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS, LOBATTO_POINTS, LOBATTO_WEIGHTS};
 use crate::mechanics::beam::Beam;
@@ -152,7 +153,8 @@ impl<'a> Neighborhood<'a> {
         [before.as_ref().map(|before| difference(before, own)), after.as_ref().map(|after| difference(own, after))]
     }
 
-    /// Half the second derivative of a quantity along the beam, by its means over the three elements; 0 where there are fewer.
+    /// Half the second derivative of a quantity along the beam, by its means over the three elements; 0 where there are
+    /// fewer.
     pub fn second_difference(&self, quantity: impl Fn(&StrainFit) -> Line + Copy) -> f64 {
         match (self.differences(|before, after| rise(before, after, quantity)), self.before, self.after) {
             ([Some(first), Some(second)], Some(before), Some(after)) => {
@@ -188,8 +190,8 @@ impl System {
         0 < end && end < beam.elements() && beam.corners.binary_search(&end).is_err() && !self.is_held(beam.node(end))
     }
 
-    /// Whether something acts at an inner end of element `number` of `beam`, or of a neighbor: the axial force may jump there, and these elements show both
-    /// sides of the jump, however short they are (axial_jump.rs).
+    /// Whether something acts at an inner end of element `number` of `beam`, or of a neighbor: the axial force may jump
+    /// there, and these elements show both sides of the jump, however short they are (axial_jump.rs).
     pub fn is_beside_jump(&self, beam: &Beam, number: usize) -> bool {
         let mut ends = number.saturating_sub(1)..=number + 2;
         ends.any(|end| 0 < end && end < beam.elements() && !self.is_open(beam, end))

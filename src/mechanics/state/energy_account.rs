@@ -1,6 +1,8 @@
-//! The account of a motion: its energy changes by the work of loads, actuators and drives, by what dampers take, and by the drift, which is the integrator's.
+//! The account of a motion: its energy changes by the work of loads, actuators and drives, by what dampers take, and by
+//! the drift, which is the integrator's.
 //!
-//! `energy.total(t) − energy.total(0) = loads + actuators + drives − dissipated + drift`, summed over the steps as they take their forces.
+//! `energy.total(t) − energy.total(0) = loads + actuators + drives − dissipated + drift`, summed over the steps as they
+//! take their forces.
 
 use serde::{Deserialize, Serialize};
 
@@ -39,7 +41,8 @@ pub struct EnergyAccount {
     pub work: Work,
     /// What the integrator has added, J; it has taken what is negative.
     pub drift: f64,
-    /// Kinetic, elastic and gravity energy at the end of the last step, J; none before the first step, and after a change of stiffnesses.
+    /// Kinetic, elastic and gravity energy at the end of the last step, J; none before the first step, and after a
+    /// change of stiffnesses.
     pub energy: Option<f64>,
     /// The power at the end of the last step, W; of integrators that take forces at instants.
     pub power: Work,

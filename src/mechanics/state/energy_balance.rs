@@ -1,37 +1,47 @@
-//! The energy of a run against the work of all that acts from outside: gravity, loads, drives, moving frames and dampers.
+//! The energy of a run against the work of all that acts from outside: gravity, loads, drives, moving frames and
+//! dampers.
 //!
-//! Kinetic and elastic energy may change by that work only. What they change by beyond it, the drift, is the integrator's: some thousandths of the energy
-//! where the step resolves the motion, and without bound where it does not. Every internal step is accounted for, so that nothing hides
-//! between two rows of the results.
+//! Kinetic and elastic energy may change by that work only. What they change by beyond it, the drift, is the
+//! integrator's: some thousandths of the energy where the step resolves the motion, and without bound where it does
+//! not. Every internal step is accounted for, so that nothing hides between two rows of the results.
 
 use super::energy_account::{EnergyAccount, Work};
 use serde::{Deserialize, Serialize};
 
-/// Share of the largest energy by which the energy may drift. The midpoint rules keep it within some thousandths where the step resolves the motion.
+/// Share of the largest energy by which the energy may drift. The midpoint rules keep it within some thousandths where
+/// the step resolves the motion.
 const BAND: f64 = 0.02;
 
-/// Share of the largest energy that numerical damping may take unnoticed: it is there to take what the step does not resolve.
+/// Share of the largest energy that numerical damping may take unnoticed: it is there to take what the step does not
+/// resolve.
 const DAMPED_BAND: f64 = 0.05;
 
-/// Steps after which a drift that was beyond its band is judged: of the first, tiny energy of a smooth or a sudden start nearly all may come from nowhere or go, and does not
-/// matter once the motion has grown. A drift counts if it is large beside the energy by then, or at the end of the run; a loss to numerical damping if it has been so in all these steps.
+/// Steps after which a drift that was beyond its band is judged: of the first, tiny energy of a smooth or a sudden
+/// start nearly all may come from nowhere or go, and does not matter once the motion has grown. A drift counts if it is
+/// large beside the energy by then, or at the end of the run; a loss to numerical damping if it has been so in all
+/// these steps.
 const LASTING: u32 = 200;
 
-/// Share of the energy that has passed through the system by which the sums of the work may be off: the middle or the ends of a step stand for all of it.
+/// Share of the energy that has passed through the system by which the sums of the work may be off: the middle or the
+/// ends of a step stand for all of it.
 const THROUGHPUT: f64 = 5e-3;
 
-/// The same for a loss where the integrator damps by itself: what dampers take is then counted at the smaller of the powers at both ends of a step.
+/// The same for a loss where the integrator damps by itself: what dampers take is then counted at the smaller of the
+/// powers at both ends of a step.
 const DAMPED_THROUGHPUT: f64 = 0.1;
 
-/// Share of the work of a single step by which it may be off, and what is left of that allowance after another step: a motion that grows many times within
-/// some steps, from nearly nothing, has an error of that size, which does not matter once it has grown.
+/// Share of the work of a single step by which it may be off, and what is left of that allowance after another step: a
+/// motion that grows many times within some steps, from nearly nothing, has an error of that size, which does not
+/// matter once it has grown.
 const SINGLE_STEP: f64 = 0.5;
 const FADING: f64 = 0.98;
 
-/// Steps that a jump of velocities takes until forces are those of the motion again: the midpoint rules have half of it left after one.
+/// Steps that a jump of velocities takes until forces are those of the motion again: the midpoint rules have half of it
+/// left after one.
 const JUMP_STEPS: u32 = 4;
 
-/// Share of the work of lifting the whole system by its size that is round-off: of a system that hangs at rest nothing else moves.
+/// Share of the work of lifting the whole system by its size that is round-off: of a system that hangs at rest nothing
+/// else moves.
 pub const LIFT_ROUND_OFF: f64 = 1e-9;
 
 /// Energy that a molecule has by its warmth, J: what a system has below it is the round-off of nothing.
@@ -62,7 +72,8 @@ pub enum Losses {
 pub struct EnergyBalance {
     /// Energies at the end of the last step; none before the first step, and after a change of stiffnesses.
     pub last: Option<Energies>,
-    /// Power of what acts from outside, and of dampers, which take it, at the end of the last step, W; of integrators that take forces at instants.
+    /// Power of what acts from outside, and of dampers, which take it, at the end of the last step, W; of integrators
+    /// that take forces at instants.
     pub power: [f64; 2],
     /// By what the energy has changed beyond the work, J.
     drift: f64,
@@ -111,8 +122,8 @@ struct Suspect {
 }
 
 impl EnergyBalance {
-    /// Accounts for a step to `time`, s, over which what acts from outside did `work`, J, and at whose end the system has `energies`.
-    /// `noise` is what round-off may add up to, J; `losses` what the integrator may take.
+    /// Accounts for a step to `time`, s, over which what acts from outside did `work`, J, and at whose end the system
+    /// has `energies`. `noise` is what round-off may add up to, J; `losses` what the integrator may take.
     pub fn account(&mut self, time: f64, work: f64, energies: Energies, noise: f64, losses: Losses) {
         let total = energies.kinetic + energies.elastic;
         let before = self.last.map_or(total, |last| last.kinetic + last.elastic);
@@ -154,7 +165,8 @@ impl EnergyBalance {
         }
     }
 
-    /// The work of a step of `step` s by the power at its start and `power` at its end, W, J. Where the power jumps, as of a drive that stops at once, the work may be anything between those of the two.
+    /// The work of a step of `step` s by the power at its start and `power` at its end, W, J. Where the power jumps, as
+    /// of a drive that stops at once, the work may be anything between those of the two.
     pub fn work_by_power(&mut self, power: f64, step: f64) -> f64 {
         self.doubt += 0.5 * step * (power - self.power[0]).abs();
         0.5 * step * (self.power[0] + power)
@@ -165,8 +177,8 @@ impl EnergyBalance {
         self.doubt += difference.abs();
     }
 
-    /// Takes the next steps out of the account: velocities jump with a drive at the end of the first, and what the drive does at an instant is no power. The
-    /// forces of the steps behind it make up for it.
+    /// Takes the next steps out of the account: velocities jump with a drive at the end of the first, and what the
+    /// drive does at an instant is no power. The forces of the steps behind it make up for it.
     pub fn skip_jump(&mut self) {
         self.skipped = JUMP_STEPS;
     }
@@ -176,7 +188,8 @@ impl EnergyBalance {
         self.struck = JUMP_STEPS;
     }
 
-    /// Adds the `work` of a step to the account by origin, if somebody asks for it; the energy of the system, of gravity too, has gone from `start` to `end`, J.
+    /// Adds the `work` of a step to the account by origin, if somebody asks for it; the energy of the system, of
+    /// gravity too, has gone from `start` to `end`, J.
     pub fn add_work(&mut self, work: &Work, [start, end]: [f64; 2]) {
         let is_struck = self.struck > 0;
         self.struck = self.struck.saturating_sub(1);
@@ -252,7 +265,8 @@ mod tests {
         assert_eq!(balance.at_end(), None);
     }
 
-    /// A power that jumps from one end of a step to the other says nothing of the work between: energy that does not follow it is not lost. Energy that falls without any power is.
+    /// A power that jumps from one end of a step to the other says nothing of the work between: energy that does not
+    /// follow it is not lost. Energy that falls without any power is.
     #[test]
     fn work_by_jumping_power_is_doubted() {
         for (power, kinetic, alarms) in [(400.0, 1.0, false), (0.0, 0.8, true)] {

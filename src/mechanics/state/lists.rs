@@ -1,4 +1,5 @@
-//! The lists of numbers of a state, which small changes add to. A new list is one row here: clones, comparisons, variations and saved states follow.
+//! The lists of numbers of a state, which small changes add to. A new list is one row here: clones, comparisons,
+//! variations and saved states follow.
 
 use serde::{Deserialize, Serialize};
 
@@ -44,24 +45,27 @@ lists! {
     velocity: Same,
     /// Momenta of the coordinates, in charts centered at the nodes' own tangents.
     momentum: Same,
-    /// Multipliers of the joints' conditions at the start of the last midpoint step, or at `time` by generalized-alpha, N or N m.
+    /// Multipliers of the joints' conditions at the start of the last midpoint step, or at `time` by generalized-alpha,
+    /// N or N m.
     multipliers: Same,
-    /// The part of the momentum that the constraints do not allow, by their conditions: `s` of `P = M v + Gᵀ s` (MECHANICS 7.1, where it is `nu`), N s or N m s.
+    /// The part of the momentum that the constraints do not allow, by their conditions: `s` of `P = M v + Gᵀ s`
+    /// (MECHANICS 7.1, where it is `nu`), N s or N m s.
     constraint_momenta: Same,
-    /// Rates over the last midpoint step, or at the start: of each element of ANCF14 three axial strains (1/s), then `g1`, `g2`, `tau` of each bending
-    /// point (1/m/s, rad/m/s); then of the rates of all relative coordinates that have a spring (m/s, rad/s).
+    /// Rates over the last midpoint step, or at the start: of each element of ANCF14 three axial strains (1/s), then
+    /// `g1`, `g2`, `tau` of each bending point (1/m/s, rad/m/s); then of the rates of all relative coordinates that
+    /// have a spring (m/s, rad/s).
     strain_rates: Same,
     /// Numbers that forces remember, each force in its own units.
     memory: Same,
-    /// By how much the rates that velocities make have led those over the step before, at the start of the last step, in the order of `strain_rates`; none
-    /// before the first step of a motion and behind a switch.
+    /// By how much the rates that velocities make have led those over the step before, at the start of the last step,
+    /// in the order of `strain_rates`; none before the first step of a motion and behind a switch.
     newest_leads: RatesOrNone,
     /// The same at the start of the step before.
     older_leads: RatesOrNone,
     /// The same a step earlier.
     oldest_leads: RatesOrNone,
-    /// Rates of strains at `time`, as midpoint steps show them, in the order of `strain_rates`; none before the first step, and of systems without material
-    /// damping.
+    /// Rates of strains at `time`, as midpoint steps show them, in the order of `strain_rates`; none before the first
+    /// step, and of systems without material damping.
     viscous_rates: RatesOrNone,
     /// The same at the start of the last step, between those over it and over the step before.
     viscous_rates_at_start: RatesOrNone,

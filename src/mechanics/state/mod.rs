@@ -36,7 +36,8 @@ pub struct State {
     pub time_error: TimeError,
     /// How long its next step is, where the solver chooses it.
     pub pace: Pace,
-    /// Length of the last step that [`Lists::viscous_rates`] were continued over, s; 0 before the first one and behind a jump.
+    /// Length of the last step that [`Lists::viscous_rates`] were continued over, s; 0 before the first one and behind
+    /// a jump.
     pub viscous_step: f64,
     /// Reference triads of the nodes.
     pub triads: Vec<Triad>,
@@ -50,7 +51,8 @@ pub struct State {
     pub targets: Targets,
     /// What acted from outside at the last equilibrium: where a jump of loads starts from. Nothing yet: empty.
     pub excitation: Excitation,
-    /// Where the path is that is followed by its arc length, which is then the time; none: functions of time are taken at `time`.
+    /// Where the path is that is followed by its arc length, which is then the time; none: functions of time are taken
+    /// at `time`.
     pub path: Option<PathPoint>,
     /// Coordinates that a free motion would change, held at their values by the statics.
     pub held: Vec<HeldCoordinate>,
@@ -145,8 +147,8 @@ impl Clone for State {
 }
 
 impl State {
-    /// Takes the motion of `source`, keeping its own memory: all but the prediction of the next step and the error of those before, which a state beside the
-    /// computed motion does without.
+    /// Takes the motion of `source`, keeping its own memory: all but the prediction of the next step and the error of
+    /// those before, which a state beside the computed motion does without.
     pub fn copy_motion_from(&mut self, source: &Self) {
         let Self { triads, holonomy, relative_values, rotations, .. } = self;
         self.time = source.time;
@@ -174,7 +176,8 @@ impl State {
 pub struct HeldCoordinate {
     /// Its index.
     pub index: usize,
-    /// What the tangent has more on its diagonal, J per square of the coordinate's unit; the residual has no term of it.
+    /// What the tangent has more on its diagonal, J per square of the coordinate's unit; the residual has no term of
+    /// it.
     pub stiffness: f64,
 }
 

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 pub struct Pace {
     /// Length of the next step, unless it ends earlier, s; 0: nothing is known yet.
     pub wanted: f64,
-    /// The length that the numerical dissipation is for, s: it follows the steps slowly, so that both of its terms work as nearly constant inertias.
+    /// The length that the numerical dissipation is for, s: it follows the steps slowly, so that both of its terms work
+    /// as nearly constant inertias.
     pub damping_step: f64,
     /// Error of the last step over that allowed; 0: not known.
     pub ratio: f64,

@@ -1,9 +1,11 @@
-//! The place of a state: where its parts are, how they move and what is engaged; and how a state of another system with the same parts takes it over.
+//! The place of a state: where its parts are, how they move and what is engaged; and how a state of another system with
+//! the same parts takes it over.
 
 use super::State;
 use crate::mechanics::input::prescribed::MovingPose;
 
-/// Where the values of a system are in the state of another one with the same parts, by their numbers there; none: the other system does not have them.
+/// Where the values of a system are in the state of another one with the same parts, by their numbers there; none: the
+/// other system does not have them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Counterparts {
     /// Of the relative coordinates.
@@ -12,11 +14,14 @@ pub struct Counterparts {
     pub rotations: Vec<Option<usize>>,
     /// Of the switches.
     pub holds: Vec<Option<usize>>,
+    /// Of what forces remember.
+    pub memory: Vec<Option<usize>>,
 }
 
 impl State {
-    /// Takes from `source`, a state of the same parts, where these are and how they move, what drives and frames have come to and what is engaged: all that a
-    /// motion or a path begins with. Values without a counterpart stay as drawn.
+    /// Takes from `source`, a state of the same parts, where these are and how they move, what drives and frames have
+    /// come to and what is engaged: all that a motion or a path begins with. Values without a counterpart stay as
+    /// drawn.
     pub fn take_place_of(&mut self, source: &Self, counterparts: &Counterparts) {
         self.time = source.time;
         self.q.clone_from(&source.q);
@@ -28,17 +33,19 @@ impl State {
         take(&mut self.relative_values, &source.relative_values, &counterparts.relative_values);
         take(&mut self.rotations, &source.rotations, &counterparts.rotations);
         take(&mut self.prescribed.holds, &source.prescribed.holds, &counterparts.holds);
+        take(&mut self.lists.memory, &source.lists.memory, &counterparts.memory);
     }
 
-    /// Whether the lists of its place have the lengths of those of `other`, a state of the same parts. Relative values, rotations and holds, of which systems with
-    /// the same parts may have different numbers, have `lengths`.
-    pub fn has_the_place_of(&self, other: &Self, lengths: [usize; 3]) -> bool {
+    /// Whether the lists of its place have the lengths of those of `other`, a state of the same parts. Relative values,
+    /// rotations, holds and memories, of which systems with the same parts may have different numbers, have `lengths`.
+    pub fn has_the_place_of(&self, other: &Self, lengths: [usize; 4]) -> bool {
         let of_parts = |state: &Self| {
             let Self { lists, triads, holonomy, prescribed, .. } = state;
             let motions = [prescribed.drives.len(), prescribed.frames.len()];
             ([lists.q.len(), lists.velocity.len(), triads.len(), holonomy.len()], motions)
         };
-        let own = [self.relative_values.len(), self.rotations.len(), self.prescribed.holds.len()];
+        let own =
+            [self.relative_values.len(), self.rotations.len(), self.prescribed.holds.len(), self.lists.memory.len()];
         of_parts(self) == of_parts(other) && own == lengths
     }
 

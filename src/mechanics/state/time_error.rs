@@ -2,14 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The exact motion minus the computed one, to first order; lists are empty before the first step. Coordinates are those of the charts of the state that this is part of.
+/// The exact motion minus the computed one, to first order; lists are empty before the first step. Coordinates are
+/// those of the charts of the state that this is part of.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TimeError {
     /// Of the coordinates: m, 1, rad.
     pub position: Vec<f64>,
     /// Of their velocities, 1/s each.
     pub velocity: Vec<f64>,
-    /// Mean rates of `position` over the last step, 1/s each; empty without material damping, whose forces follow from them.
+    /// Mean rates of `position` over the last step, 1/s each; empty without material damping, whose forces follow from
+    /// them.
     pub rates: Vec<f64>,
     /// Mean of the error's own acceleration over the last step, 1/s² each: what the next step starts from.
     pub acceleration: Vec<f64>,
@@ -23,7 +25,8 @@ pub struct TimeError {
     pub relative: Vec<Passed>,
     /// Length of the last step, s.
     pub step: f64,
-    /// How many steps lie behind since the start or the last jump, up to 3: as many derivatives of the acceleration are known.
+    /// How many steps lie behind since the start or the last jump, up to 3: as many derivatives of the acceleration are
+    /// known.
     pub known: u8,
 }
 
@@ -34,12 +37,14 @@ pub struct Passed {
     pub rate: f64,
     /// Its acceleration between the middles of the last two steps, m/s² or rad/s².
     pub acceleration: f64,
-    /// The force of laws on it over the last step, N or N m, and its first two derivatives by time, from differences likewise.
+    /// The force of laws on it over the last step, N or N m, and its first two derivatives by time, from differences
+    /// likewise.
     pub forces: [f64; 3],
 }
 
 impl TimeError {
-    /// No error yet, of a system with `coordinates` coordinates, `conditions` conditions and `relative` relative coordinates.
+    /// No error yet, of a system with `coordinates` coordinates, `conditions` conditions and `relative` relative
+    /// coordinates.
     pub fn resize(&mut self, coordinates: usize, conditions: usize, relative: usize) {
         self.relative.resize(relative, Passed::default());
         let Self { position, velocity, acceleration, multipliers, jerk, snap, .. } = self;
@@ -54,7 +59,8 @@ impl TimeError {
         !self.position.is_empty()
     }
 
-    /// Whether it may be one of a system with `coordinates` coordinates, `conditions` conditions and `relatives` relative coordinates.
+    /// Whether it may be one of a system with `coordinates` coordinates, `conditions` conditions and `relatives`
+    /// relative coordinates.
     pub fn is_possible(&self, coordinates: usize, conditions: usize, relatives: usize) -> bool {
         let Self { position, velocity, rates, acceleration, multipliers, jerk, snap, relative, step, known } = self;
         let lists = [position, velocity, acceleration, jerk, snap].map(Vec::len);

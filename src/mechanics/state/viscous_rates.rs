@@ -1,8 +1,10 @@
-//! Rates of strains at an instant, for the viscous forces of the material in accelerations and reactions (MECHANICS 7.5).
+//! Rates of strains at an instant, for the viscous forces of the material in accelerations and reactions (MECHANICS
+//! 7.5).
 //!
-//! The velocities at the ends of midpoint steps do not give them: a strain that viscosity stops within far less than a step keeps turning its rate about there,
-//! while its change over a step is right but for a little of the same. The rates at the last two starts of steps, each the mean of those over the steps around it, have
-//! none of it; they are continued to the end of the last step.
+//! The velocities at the ends of midpoint steps do not give them: a strain that viscosity stops within far less than a
+//! step keeps turning its rate about there, while its change over a step is right but for a little of the same. The
+//! rates at the last two starts of steps, each the mean of those over the steps around it, have none of it; they are
+//! continued to the end of the last step.
 
 use super::State;
 use super::lists::Lists;
@@ -19,8 +21,8 @@ pub fn jump(state: &mut State) {
     state.viscous_step = 0.0;
 }
 
-/// Continues the rates to the end of a step of `step` s: `state.strain_rates` are those over this step, `before` those over the last one, `start` those of the velocities at its
-/// start.
+/// Continues the rates to the end of a step of `step` s: `state.strain_rates` are those over this step, `before` those
+/// over the last one, `start` those of the velocities at its start.
 pub fn advance(state: &mut State, step: f64, before: &[f64], start: &[f64]) {
     let last = std::mem::replace(&mut state.viscous_step, step);
     let Lists { strain_rates: over, viscous_rates: rates, viscous_rates_at_start: at_start, .. } = &mut state.lists;
@@ -44,7 +46,8 @@ pub fn advance(state: &mut State, step: f64, before: &[f64], start: &[f64]) {
 mod tests {
     use super::*;
 
-    /// Steps of unequal lengths, each with the mean of `rate` over it; the rate at the end of the last one, and where that is.
+    /// Steps of unequal lengths, each with the mean of `rate` over it; the rate at the end of the last one, and where
+    /// that is.
     fn after(steps: &[f64], rate: impl Fn(f64) -> f64) -> (f64, f64) {
         let (mut state, mut time, mut before) = (State::default(), 0.0, 0.0);
         for step in steps {
@@ -57,7 +60,8 @@ mod tests {
         (state.lists.viscous_rates[0], time)
     }
 
-    /// A rate that grows linearly is continued to the end of every step, whatever the lengths of the steps are: also of the first and the second one.
+    /// A rate that grows linearly is continued to the end of every step, whatever the lengths of the steps are: also of
+    /// the first and the second one.
     #[test]
     fn linear_rates_are_exact() {
         let steps = [0.1, 0.3, 0.05, 0.2];

@@ -1,4 +1,5 @@
-//! The times at which functions of time change from one piece to the next: steps end there, and a motion must not jump there.
+//! The times at which functions of time change from one piece to the next: steps end there, and a motion must not jump
+//! there.
 
 use crate::error::decimal;
 use crate::math::resolution::Sight;
@@ -9,7 +10,8 @@ use crate::mechanics::system::System;
 /// Jumps below this size are rounding of the pieces' numbers, rad or m per m of the mechanism's size (at least 1 m).
 const ROUNDING: f64 = 1e-9;
 
-/// How near to a break the end of a step counts as that break, in steps: a step of that length would turn the round-off of positions into velocities.
+/// How near to a break the end of a step counts as that break, in steps: a step of that length would turn the round-off
+/// of positions into velocities.
 pub const AT_BREAK: f64 = 1e-6;
 
 /// Jumps below this share of what a function does over a step are round-off of its pieces.
@@ -18,12 +20,14 @@ const SMOOTH: f64 = 1e-9;
 /// Changes below this share over [`AT_BREAK`] of a step are no jumps.
 const NEARLY_SMOOTH: f64 = 1e-4;
 
-/// Whether a signal, or one of its first `derivatives` derivatives, jumps at `time`, s, one of its breaks; compared with its changes over `step` s.
+/// Whether a signal, or one of its first `derivatives` derivatives, jumps at `time`, s, one of its breaks; compared
+/// with its changes over `step` s.
 fn jumps(signal: &Signal, time: f64, step: f64, derivatives: usize) -> bool {
     changes(signal, [time.next_down(), time], step, derivatives, SMOOTH)
 }
 
-/// Whether a signal, or one of its first `derivatives` derivatives, changes between two times, s, by more than `share` of what it does over `step` s.
+/// Whether a signal, or one of its first `derivatives` derivatives, changes between two times, s, by more than `share`
+/// of what it does over `step` s.
 fn changes(signal: &Signal, times: [f64; 2], step: f64, derivatives: usize, share: f64) -> bool {
     if matches!(signal, Signal::Constant(_)) {
         return false;
@@ -67,7 +71,8 @@ impl System {
         self.breaks.get(first).copied().filter(|own| *own <= time + margin)
     }
 
-    /// The first time after `from` and before `to`, s, that is further than `margin` s from both, at which a function of time switches.
+    /// The first time after `from` and before `to`, s, that is further than `margin` s from both, at which a function
+    /// of time switches.
     pub fn switch_between(&self, from: f64, to: f64, margin: f64) -> Option<f64> {
         let (from, to) = (from + margin, to - margin);
         let earlier = |end: f64, signal: &Signal| signal.first_switch([from, end]).unwrap_or(end);
@@ -75,7 +80,8 @@ impl System {
         (first < to).then_some(first)
     }
 
-    /// The end of a step from `from` on the way to `to`, s, that sees as much as `sight` of loads, efforts, temperatures and motions.
+    /// The end of a step from `from` on the way to `to`, s, that sees as much as `sight` of loads, efforts,
+    /// temperatures and motions.
     pub fn seen_until(&self, from: f64, to: f64, sight: Sight) -> f64 {
         // What begins at an end of the step is not within it.
         let margin = AT_BREAK * (to - from);
@@ -94,7 +100,8 @@ impl System {
         if end < inside[1] { end } else { to }
     }
 
-    /// The jump of a signal, or of one of its first `derivatives` derivatives, within [`AT_BREAK`] of a step of `step` s from `time`, s.
+    /// The jump of a signal, or of one of its first `derivatives` derivatives, within [`AT_BREAK`] of a step of `step`
+    /// s from `time`, s.
     fn jumps_near(&self, signal: &Signal, time: f64, step: f64, derivatives: usize) -> bool {
         if let Some(known) = self.break_at(time, step).filter(|known| signal.breaks_at(*known)) {
             return jumps(signal, known, step, derivatives);
@@ -105,8 +112,9 @@ impl System {
             && signal.first_switch(near).is_some_and(|own| jumps(signal, own, step, derivatives))
     }
 
-    /// Whether a load or an effort jumps within [`AT_BREAK`] of a step of `step` s from `time`, or the motion of a drive or a frame, its velocity or its acceleration: what is
-    /// known of the motion before does not hold behind it. Pieces that meet smoothly change nothing.
+    /// Whether a load or an effort jumps within [`AT_BREAK`] of a step of `step` s from `time`, or the motion of a
+    /// drive or a frame, its velocity or its acceleration: what is known of the motion before does not hold behind it.
+    /// Pieces that meet smoothly change nothing.
     pub fn is_sudden(&self, time: f64, step: f64) -> bool {
         let jumps = |signal: &Signal, derivatives: usize| self.jumps_near(signal, time, step, derivatives);
         self.loads.iter().flat_map(|load| load.signals()).any(|signal| jumps(signal, 0))
@@ -125,7 +133,8 @@ impl System {
         }) || self.moving_frames.iter().flat_map(|frame| frame.signals()).any(|signal| jumps(signal, 1))
     }
 
-    /// The jumps of the prescribed motion after `from` up to `to`, s, each as a sentence. No finite force moves a mechanism at once.
+    /// The jumps of the prescribed motion after `from` up to `to`, s, each as a sentence. No finite force moves a
+    /// mechanism at once.
     pub fn jumps(&self, from: f64, to: f64) -> Vec<String> {
         let least = ROUNDING * self.size.max(1.0);
         let mut found = Vec::new();

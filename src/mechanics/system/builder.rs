@@ -84,7 +84,8 @@ impl SystemBuilder {
         Self { drawing: time, ..self }
     }
 
-    /// Adds a beam and returns its number. The design is sound: section and material, `y_axis` not along the tangent at the start.
+    /// Adds a beam and returns its number. The design is sound: section and material, `y_axis` not along the tangent at
+    /// the start.
     pub fn add_beam(&mut self, design: &BeamDesign) -> usize {
         let line = &design.line;
         let start = line.nodes[0];
@@ -153,7 +154,8 @@ impl SystemBuilder {
         });
     }
 
-    /// The element of length `length`, m, between two `fractions` of the beam, that begins at node `node`; where nodes have frames, with number `frame`.
+    /// The element of length `length`, m, between two `fractions` of the beam, that begins at node `node`; where nodes
+    /// have frames, with number `frame`.
     fn element(
         &mut self,
         design: &BeamDesign,
@@ -196,7 +198,8 @@ impl SystemBuilder {
         }
     }
 
-    /// Makes the section of a marker at a node rigid, if it is not by its formulation: what acts there acts on all of it.
+    /// Makes the section of a marker at a node rigid, if it is not by its formulation: what acts there acts on all of
+    /// it.
     pub fn stiffen(&mut self, marker: &Marker) {
         let Marker::Node { node, .. } = marker else { return };
         let Node::Ancf24 { start } = self.system.mesh.nodes[*node] else { return };
@@ -240,7 +243,8 @@ impl SystemBuilder {
         elements.iter().position(|element| !element.is_possible())
     }
 
-    /// The node of beam `beam` at the fraction `fraction` of its length, if there is one; at a corner the side towards the start.
+    /// The node of beam `beam` at the fraction `fraction` of its length, if there is one; at a corner the side towards
+    /// the start.
     pub fn node_at(&self, beam: usize, fraction: f64) -> Option<usize> {
         let beam = &self.system.beams[beam];
         beam.division.end_at(fraction).map(|end| beam.node(end))
@@ -261,7 +265,8 @@ impl SystemBuilder {
         Site::Line(self.system.beams[beam].element_range())
     }
 
-    /// Adds a rigid body and returns its number. The design is sound: positive mass, a possible inertia, orthonormal axes.
+    /// Adds a rigid body and returns its number. The design is sound: positive mass, a possible inertia, orthonormal
+    /// axes.
     pub fn add_body(&mut self, design: &BodyDesign) -> usize {
         let (body, q, velocity) = RigidBody::new(design, self.q.len());
         self.q.extend(q);
@@ -294,7 +299,8 @@ impl SystemBuilder {
         Marker::Frame { frame, offset: Vec3::zeros(), axes: Mat3::identity() }
     }
 
-    /// The marker at `pose`, in space as drawn, that is tied to whatever `anchor` is tied to: a node, a body, a frame, the ground.
+    /// The marker at `pose`, in space as drawn, that is tied to whatever `anchor` is tied to: a node, a body, a frame,
+    /// the ground.
     ///
     /// What is tied to a node makes its section rigid.
     pub fn tied(&mut self, anchor: &Marker, pose: &Pose) -> Marker {
@@ -374,7 +380,8 @@ impl SystemBuilder {
         self.watch(self.section_at(beam, fraction), Some((beam, fraction)))
     }
 
-    /// Adds a sensor on `marker` and returns its number; `on_beam` is the beam and the fraction of its length where it is a point of one.
+    /// Adds a sensor on `marker` and returns its number; `on_beam` is the beam and the fraction of its length where it
+    /// is a point of one.
     pub fn watch(&mut self, marker: Marker, on_beam: Option<(usize, f64)>) -> usize {
         let holonomy = vec![0.0; self.system.mesh.branches];
         let sensor = Sensor::new(&self.system.beams, &self.configuration(&self.frames(), &holonomy), marker, on_beam);

@@ -25,7 +25,8 @@ impl System {
         })
     }
 
-    /// Adds the forces of damping in proportion to mass, `a M v`; over a step the velocity is the change of the coordinates over its length.
+    /// Adds the forces of damping in proportion to mass, `a M v`; over a step the velocity is the change of the
+    /// coordinates over its length.
     pub(super) fn add_mass_damping(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
         for (_, element, rate) in self.dragged_elements() {
             let rate = rate * element.extent(c.beams.drives);
@@ -37,7 +38,8 @@ impl System {
         }
     }
 
-    /// Adds `scale` times the derivative of [`Self::add_mass_damping`], over a step twice that with respect to the coordinates at its end.
+    /// Adds `scale` times the derivative of [`Self::add_mass_damping`], over a step twice that with respect to the
+    /// coordinates at its end.
     pub(super) fn add_mass_damping_tangent(
         &self,
         c: &Configuration,
@@ -53,7 +55,8 @@ impl System {
         }
     }
 
-    /// Energy that damping in proportion to mass takes over a step that changes the coordinates by `increment` in `duration` s, J.
+    /// Energy that damping in proportion to mass takes over a step that changes the coordinates by `increment` in
+    /// `duration` s, J.
     pub(super) fn taken_by_mass_damping(&self, c: &Configuration, increment: &[f64], duration: f64) -> f64 {
         let rate = |element: &AnyElement, rate: f64| rate * element.extent(c.beams.drives) / duration;
         self.dragged_elements().map(|(_, element, own)| rate(element, own) * element.mass_form(increment)).sum()
@@ -75,12 +78,14 @@ impl System {
         self.damped_elements().next().is_some()
     }
 
-    /// Sets `strain_rates` to the rates of all strains at `c` with the velocities `velocity`; those of relative coordinates stay.
+    /// Sets `strain_rates` to the rates of all strains at `c` with the velocities `velocity`; those of relative
+    /// coordinates stay.
     pub fn set_strain_rates(&self, c: &Configuration, velocity: &[f64], strain_rates: &mut [f64]) {
         self.mesh.elements.iter().for_each(|element| element.set_strain_rates(&c.beams, velocity, strain_rates));
     }
 
-    /// Adds the viscous forces of the beams' material at an instant, with the velocities `velocity`, or with the rates of strains where they are given.
+    /// Adds the viscous forces of the beams' material at an instant, with the velocities `velocity`, or with the rates
+    /// of strains where they are given.
     pub(super) fn add_material_damping(
         &self,
         c: &Configuration,
@@ -93,7 +98,8 @@ impl System {
         }
     }
 
-    /// [`Self::add_material_damping`] with the velocities, and its derivatives with respect to the coordinates and to the velocities, times `scales`.
+    /// [`Self::add_material_damping`] with the velocities, and its derivatives with respect to the coordinates and to
+    /// the velocities, times `scales`.
     #[inline(never)]
     pub(super) fn add_material_damping_and_tangent(
         &self,
@@ -110,8 +116,8 @@ impl System {
         }
     }
 
-    /// Adds `factor` times the derivative of the forces, but for those of the beams' material, with respect to the velocities, at an instant with the velocities `velocity` under
-    /// `excitation`, to the first blocks of `tangent`.
+    /// Adds `factor` times the derivative of the forces, but for those of the beams' material, with respect to the
+    /// velocities, at an instant with the velocities `velocity` under `excitation`, to the first blocks of `tangent`.
     pub fn add_damping_matrix(
         &self,
         c: &Configuration,
@@ -125,7 +131,8 @@ impl System {
         });
     }
 
-    /// Sets the first blocks of `tangent` to the derivative of all forces with respect to the velocities at rest, under `excitation`, without dry friction.
+    /// Sets the first blocks of `tangent` to the derivative of all forces with respect to the velocities at rest, under
+    /// `excitation`, without dry friction.
     pub fn set_damping_at_rest(&self, c: &Configuration, excitation: &Excitation, tangent: &mut Blocks) {
         let rest = vec![0.0; self.coordinates()];
         self.set_material_damping_at_rest(c, tangent);

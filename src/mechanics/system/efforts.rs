@@ -11,7 +11,8 @@ use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 
 impl System {
-    /// The effort of an actuator at `time`, s, as the system passes through `c`, N m or N; `given` is what [`Actuator::at`] gives.
+    /// The effort of an actuator at `time`, s, as the system passes through `c`, N m or N; `given` is what
+    /// [`Actuator::at`] gives.
     pub fn effort(&self, actuator: &Actuator, c: &Configuration, passage: &Passage, given: f64, time: f64) -> f64 {
         match &actuator.guide {
             EffortGuide::Law(law) => given * (law.function)(time, &self.readings(law, c, passage), usize::MAX)[0],
@@ -51,7 +52,8 @@ impl System {
         }
     }
 
-    /// Sets the blocks of actuators in `tangent` to `-scale` times the derivative of their forces with respect to the coordinates (over a step: twice that with respect to those at its end).
+    /// Sets the blocks of actuators in `tangent` to `-scale` times the derivative of their forces with respect to the
+    /// coordinates (over a step: twice that with respect to those at its end).
     #[inline(never)]
     pub(super) fn set_effort_tangent(
         &self,
@@ -83,7 +85,8 @@ impl System {
         );
     }
 
-    /// Adds `-factor` times the derivative of the forces of actuators with respect to the velocities, at the instant `c`, to their blocks in `tangent`.
+    /// Adds `-factor` times the derivative of the forces of actuators with respect to the velocities, at the instant
+    /// `c`, to their blocks in `tangent`.
     #[inline(never)]
     pub(super) fn add_effort_damping(
         &self,
@@ -110,8 +113,9 @@ impl System {
         );
     }
 
-    /// Calls `take` for each reading of each actuator with the first of its blocks, the numbers of rows of both sides of the actuator, and `∂x/∂q ∂e/∂y ∂y/∂q`, of the coordinate `x` of the
-    /// actuator and what `gradient` gives for the reading `y`, blocks of both sides of `x` by both of `y`.
+    /// Calls `take` for each reading of each actuator with the first of its blocks, the numbers of rows of both sides
+    /// of the actuator, and `∂x/∂q ∂e/∂y ∂y/∂q`, of the coordinate `x` of the actuator and what `gradient` gives for
+    /// the reading `y`, blocks of both sides of `x` by both of `y`.
     fn each_reading(
         &self,
         c: &Configuration,
@@ -143,7 +147,8 @@ impl System {
         self.sides(coordinate).map(|marker| marker.coordinates(&self.mesh).len())
     }
 
-    /// Appends the blocks of readings: of each pair of sides that of the derivative, then its mirror image, which stays 0, so that the pattern is symmetric.
+    /// Appends the blocks of readings: of each pair of sides that of the derivative, then its mirror image, which stays
+    /// 0, so that the pattern is symmetric.
     pub(super) fn push_reading_blocks(&self, blocks: &mut Blocks) {
         for actuator in &self.actuators {
             let own = self.sides(actuator.coordinate).map(|marker| marker.coordinates(&self.mesh));

@@ -119,8 +119,8 @@ impl System {
         }
     }
 
-    /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s): `Σ P_r`, `Σ r × P_r` and what nodes add by their
-    /// slopes and sections (MECHANICS 7.2); of a body `Σ r × P_r + d × P_d`.
+    /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s): `Σ P_r`, `Σ r × P_r` and what nodes
+    /// add by their slopes and sections (MECHANICS 7.2); of a body `Σ r × P_r + d × P_d`.
     pub fn momentum(&self, q: &[f64], momentum: &[f64]) -> (Vec3, Vec3) {
         let (mut linear, mut angular) = (Vec3::zeros(), Vec3::zeros());
         for node in &self.mesh.nodes {

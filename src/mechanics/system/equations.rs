@@ -64,8 +64,9 @@ impl System {
         self.add_springs(c, passage, forces);
     }
 
-    /// [`Self::forces`], and sets the first blocks of `tangent` to `scale` times their derivative by `q`
-    /// (over a step: twice the derivative by the coordinates at its end). The part of material damping at an instant is exact if `passage` asks for it.
+    /// [`Self::forces`], and sets the first blocks of `tangent` to `scale` times their derivative by `q` (over a step:
+    /// twice the derivative by the coordinates at its end). The part of material damping at an instant is exact if
+    /// `passage` asks for it.
     pub fn forces_and_tangent(
         &self,
         c: &Configuration,
@@ -200,7 +201,8 @@ impl System {
         self.subtract_efforts(c, passage, excitation, forces);
     }
 
-    /// Adds `factor` times the mass matrix at the values `drives` of the drives to the blocks of elements and bodies in `tangent`; without values: as drawn.
+    /// Adds `factor` times the mass matrix at the values `drives` of the drives to the blocks of elements and bodies in
+    /// `tangent`; without values: as drawn.
     pub fn add_mass(&self, drives: &[Jet], factor: f64, tangent: &mut Blocks) {
         let layout = TangentLayout::of(self);
         for (number, element) in self.mesh.elements.iter().enumerate() {

@@ -17,8 +17,9 @@ use std::f64::consts::TAU;
 const SAME_LENGTH: f64 = 1e-9;
 
 impl System {
-    /// Sets `state`, one of this system as drawn, to the shape of `from`, a state of `coarse`: the same mechanism with half the elements in every beam. Returns false for
-    /// elements other than ANCF14, for beams whose finer mesh moves the nodes, and where positions count from another origin.
+    /// Sets `state`, one of this system as drawn, to the shape of `from`, a state of `coarse`: the same mechanism with
+    /// half the elements in every beam. Returns false for elements other than ANCF14, for beams whose finer mesh moves
+    /// the nodes, and where positions count from another origin.
     pub fn take_shape(&self, state: &mut State, coarse: &Self, from: &State) -> bool {
         let (own, other) = (self.mesh.coordinates(), coarse.mesh.coordinates());
         let fits = self.origin == coarse.origin
@@ -51,7 +52,8 @@ impl System {
     }
 }
 
-/// Sets the nodes and holonomy angles of two elements to the shape of `element`, number `number` of the configuration `c`, that of `from`.
+/// Sets the nodes and holonomy angles of two elements to the shape of `element`, number `number` of the configuration
+/// `c`, that of `from`.
 fn divide(
     [first, second]: [&Element; 2],
     (number, element): (usize, &Element),

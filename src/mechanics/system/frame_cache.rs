@@ -37,7 +37,8 @@ impl FrameCache {
         system.configuration(q, self, state, prescribed)
     }
 
-    /// Computes the frames at `q` and returns the configuration that `q` and `prescribed` describe, after the accepted `state`.
+    /// Computes the frames at `q` and returns the configuration that `q` and `prescribed` describe, after the accepted
+    /// `state`.
     pub fn at<'a>(
         &'a mut self,
         system: &'a System,

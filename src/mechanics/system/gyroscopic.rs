@@ -1,9 +1,9 @@
-//! The two gyroscopic terms of the midpoint integrators (MECHANICS 7.2, 7.3, 7.5), and those of an instant, of ANCF14's nodes: those of
-//! ANCF24 have a constant mass matrix in plain coordinates, and no such terms.
+//! The two gyroscopic terms of the midpoint integrators (MECHANICS 7.2, 7.3, 7.5), and those of an instant, of ANCF14's
+//! nodes: those of ANCF24 have a constant mass matrix in plain coordinates, and no such terms.
 //!
-//! `theta` is measured in the chart carried from `t_k`, so that the discrete spin depends on both configurations. One half of
-//! its variation acts in the step (`C` of 7.3), the other when the momentum changes charts (7.5). Either alone is unstable
-//! or loses angular momentum.
+//! `theta` is measured in the chart carried from `t_k`, so that the discrete spin depends on both configurations. One
+//! half of its variation acts in the step (`C` of 7.3), the other when the momentum changes charts (7.5). Either alone
+//! is unstable or loses angular momentum.
 
 use crate::math::blocks::Blocks;
 use crate::math::jet::Jet;
@@ -39,8 +39,8 @@ pub fn add_forces(
     }
 }
 
-/// Subtracts `h ∂C/∂q` from the element blocks of a step's matrix; what `Uth` adds is of third order in the step and left out. `drives` are the values of
-/// the drives in its middle.
+/// Subtracts `h ∂C/∂q` from the element blocks of a step's matrix; what `Uth` adds is of third order in the step and
+/// left out. `drives` are the values of the drives in its middle.
 pub fn add_tangent(
     system: &System,
     [start, end]: [&FrameCache; 2],
@@ -58,9 +58,10 @@ pub fn add_tangent(
     });
 }
 
-/// Adds what the force on the slope of each node has as derivatives to the element blocks of `blocks`: by the node's own slope,
-/// and by the spin momentum `(M v)_theta`, which follows from the angles of this node and of its neighbors through M.
-/// `drives` are the values of the drives; `derivatives` is asked with the first coordinate and the frame of a node.
+/// Adds what the force on the slope of each node has as derivatives to the element blocks of `blocks`: by the node's
+/// own slope, and by the spin momentum `(M v)_theta`, which follows from the angles of this node and of its neighbors
+/// through M. `drives` are the values of the drives; `derivatives` is asked with the first coordinate and the frame of
+/// a node.
 fn add_by_node(
     system: &System,
     drives: &[Jet],
@@ -98,8 +99,8 @@ fn add_by_node(
     }
 }
 
-/// Takes the momentum from the charts of the step's start to charts centered at its end: `P_p += P_theta kap/|p_{k+1}|` (7.5).
-/// `frames` at the end, still relative to the references of the start.
+/// Takes the momentum from the charts of the step's start to charts centered at its end: `P_p += P_theta kap/|p_{k+1}|`
+/// (7.5). `frames` at the end, still relative to the references of the start.
 pub fn change_charts(system: &System, frames: &FrameCache, momentum: &mut [f64]) {
     for (own, frame) in system.mesh.framed.iter().zip(&frames.frames) {
         let spin = momentum[own + THETA];
@@ -107,16 +108,16 @@ pub fn change_charts(system: &System, frames: &FrameCache, momentum: &mut [f64])
     }
 }
 
-/// Takes `change`, a small change of the coordinates or of their rates, from the charts of the step's start to those of its end, where a
-/// turn of a tangent alone turns no section. `frames` as for [`change_charts`].
+/// Takes `change`, a small change of the coordinates or of their rates, from the charts of the step's start to those of
+/// its end, where a turn of a tangent alone turns no section. `frames` as for [`change_charts`].
 pub fn change_charts_of_change(system: &System, frames: &FrameCache, change: &mut [f64]) {
     for (own, frame) in system.mesh.framed.iter().zip(&frames.frames) {
         change[own + THETA] -= frame.k.dot(&vec3(change, own + P)) / frame.stretch;
     }
 }
 
-/// Adds the gyroscopic force of an instant, `m_n (p' × p)/|p|³` with the spin momentum `m_n = (M v)_theta`, to the left-hand
-/// side of the equations of `p` (MECHANICS 7.2); `momentum` is `M v`. It is the same in every chart.
+/// Adds the gyroscopic force of an instant, `m_n (p' × p)/|p|³` with the spin momentum `m_n = (M v)_theta`, to the
+/// left-hand side of the equations of `p` (MECHANICS 7.2); `momentum` is `M v`. It is the same in every chart.
 pub fn add_rate_forces(system: &System, frames: &FrameCache, velocity: &[f64], momentum: &[f64], forces: &mut [f64]) {
     for (own, frame) in system.mesh.framed.iter().zip(&frames.frames) {
         let spin = momentum[own + THETA];
@@ -129,9 +130,9 @@ fn spin_force(frame: &NodeFrame, slope_rate: &Vec3) -> Vec3 {
     slope_rate.cross(&frame.t) / (frame.stretch * frame.stretch)
 }
 
-/// Adds `−m_n' k/|p|` with `m_n' = (M v')_theta` to the left-hand side of the equations of `p`, in charts that are not centered
-/// (MECHANICS 7.2): a turn of the tangent alone turns the section too there, so that forces along `theta` count along `p`, and
-/// the spin's inertia with them. `momentum_rate` is `M v'`.
+/// Adds `−m_n' k/|p|` with `m_n' = (M v')_theta` to the left-hand side of the equations of `p`, in charts that are not
+/// centered (MECHANICS 7.2): a turn of the tangent alone turns the section too there, so that forces along `theta`
+/// count along `p`, and the spin's inertia with them. `momentum_rate` is `M v'`.
 pub fn add_chart_forces(system: &System, frames: &FrameCache, momentum_rate: &[f64], forces: &mut [f64]) {
     for (own, frame) in system.mesh.framed.iter().zip(&frames.frames) {
         let rate = momentum_rate[own + THETA];
@@ -139,8 +140,8 @@ pub fn add_chart_forces(system: &System, frames: &FrameCache, momentum_rate: &[f
     }
 }
 
-/// Adds `scale` times the derivative of [`add_rate_forces`] and [`add_chart_forces`] by the coordinates to the element blocks of
-/// `blocks`, when velocities and accelerations follow the coordinates with the factors `by_q`, 1/s and 1/s².
+/// Adds `scale` times the derivative of [`add_rate_forces`] and [`add_chart_forces`] by the coordinates to the element
+/// blocks of `blocks`, when velocities and accelerations follow the coordinates with the factors `by_q`, 1/s and 1/s².
 #[inline(never)]
 pub fn add_rate_tangent(
     system: &System,

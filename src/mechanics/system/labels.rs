@@ -66,7 +66,8 @@ impl System {
         (beam, number - beam.first_element)
     }
 
-    /// The load, actuator, drive or frame that is not defined at `time` (s), in words, with the reason where it is known.
+    /// The load, actuator, drive or frame that is not defined at `time` (s), in words, with the reason where it is
+    /// known.
     pub fn undefined(&self, time: f64) -> Option<String> {
         let load = self.loads.iter().find(|load| !load.at(time, &HostWrench::default()).is_finite());
         let load = load.map(|load| format!("the force or moment of load {}", load.name));
@@ -80,7 +81,8 @@ impl System {
         })
     }
 
-    /// The first spring or gear whose law is not defined at `c`, in words; `rate` is that of a coordinate, near its last accepted value.
+    /// The first spring or gear whose law is not defined at `c`, in words; `rate` is that of a coordinate, near its
+    /// last accepted value.
     pub fn undefined_law(&self, c: &Configuration, rate: impl Fn(&RelativeCoordinate, f64) -> f64) -> Option<String> {
         let of_springs = self.undefined_spring(c, rate);
         of_springs.or_else(|| {
@@ -93,7 +95,8 @@ impl System {
         })
     }
 
-    /// The first spring whose law is not defined at `c`, in words; `rate` is that of a coordinate, near its last accepted value.
+    /// The first spring whose law is not defined at `c`, in words; `rate` is that of a coordinate, near its last
+    /// accepted value.
     fn undefined_spring(&self, c: &Configuration, rate: impl Fn(&RelativeCoordinate, f64) -> f64) -> Option<String> {
         self.springs.iter().filter(|spring| spring.law.is_some()).find_map(|spring| {
             let coordinate = &self.relative_coordinates[spring.coordinate];

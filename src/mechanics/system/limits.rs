@@ -10,20 +10,23 @@ use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate}
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 
-/// Slopes `|r'|` in which the element means something: outside it is stretched or squeezed beyond any beam theory (MECHANICS 7.4).
+/// Slopes `|r'|` in which the element means something: outside it is stretched or squeezed beyond any beam theory
+/// (MECHANICS 7.4).
 const STRETCHES: std::ops::RangeInclusive<f64> = 0.3..=3.0;
 /// Largest change of the twist of an element in a step, rad: the branch is safe below pi (MECHANICS 2.6).
 const LARGEST_TWIST_CHANGE: f64 = 2.0;
 /// Largest change of a joint's angle in a step, rad: beyond pi its turns could not be counted.
 const LARGEST_ANGLE_CHANGE: f64 = 2.0;
-/// Largest difference between a joint's angle and what its drive prescribes, rad: a turn missed is far beyond, round-off far below.
+/// Largest difference between a joint's angle and what its drive prescribes, rad: a turn missed is far beyond,
+/// round-off far below.
 const DRIVE_GAP: f64 = 0.1;
 
 /// Largest turn of a bushing, degrees: its rotation vector has no direction at half a turn.
 const LARGEST_BUSHING_ANGLE: f64 = 170.0;
 
 impl System {
-    /// The first beam that is twisted beyond half of the rate above which its energy has no lower bound: its name, twist rate and bound, rad/m.
+    /// The first beam that is twisted beyond half of the rate above which its energy has no lower bound: its name,
+    /// twist rate and bound, rad/m.
     pub fn twist_near_limit<'a>(&'a self, state: &'a State, snapshot: &mut FrameCache) -> Option<(&'a str, f64, f64)> {
         let mut limited = self.beams.iter().filter(|beam| beam.twist_limit.is_finite()).peekable();
         limited.peek()?;
@@ -50,12 +53,13 @@ impl System {
         Ok(())
     }
 
-    /// Checks what elements, bodies and joints can bear at the end `c` of a step or increment from `state`; `turn` is the
-    /// largest turn of a tangent, a section or a body, rad. Returns the largest turn of all, joints included, over what it may be.
+    /// Checks what elements, bodies and joints can bear at the end `c` of a step or increment from `state`; `turn` is
+    /// the largest turn of a tangent, a section or a body, rad. Returns the largest turn of all, joints included, over
+    /// what it may be.
     ///
     /// # Errors
-    /// A tangent, a section, a body or an angle turned too far, an element is bent or twisted too far, a slope is out of range, a joint
-    /// stands the wrong way round.
+    /// A tangent, a section, a body or an angle turned too far, an element is bent or twisted too far, a slope is out
+    /// of range, a joint stands the wrong way round.
     pub fn check(&self, c: &Configuration, state: &State, turn: f64, time: f64) -> Result<f64, Error> {
         self.check_winches(c, time)?;
         let nodes = self.check_nodes(c, state, turn, time)?;

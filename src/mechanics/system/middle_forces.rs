@@ -1,7 +1,9 @@
-//! Forces of turning loads, actuators, dampers and laws in the middle of the time of a step, beside those that the step takes: sources of the time-step error (MECHANICS 7.8).
+//! Forces of turning loads, actuators, dampers and laws in the middle of the time of a step, beside those that the step
+//! takes: sources of the time-step error (MECHANICS 7.8).
 //!
-//! A step takes these forces at the means of its ends. In the middle of its time coordinates are `h²/8` of their acceleration less, and rates `h²/24` of its derivative.
-//! The sizes of elastic forces of beams and of springs without a law are not among them, as the estimate knows the rates of their strains; the directions of springs are.
+//! A step takes these forces at the means of its ends. In the middle of its time coordinates are `h²/8` of their
+//! acceleration less, and rates `h²/24` of its derivative. The sizes of elastic forces of beams and of springs without
+//! a law are not among them, as the estimate knows the rates of their strains; the directions of springs are.
 
 use super::System;
 use super::equations::add;
@@ -64,7 +66,8 @@ impl System {
         self.frames_of(points.chain(sides.copied()))
     }
 
-    /// Adds `factor` times the forces, internal minus external, that differ between the means of a step and the middle of its time, at `c`.
+    /// Adds `factor` times the forces, internal minus external, that differ between the means of a step and the middle
+    /// of its time, at `c`.
     pub fn add_lagging_forces(
         &self,
         c: &Configuration,
@@ -103,7 +106,8 @@ impl System {
         }
     }
 
-    /// Adds `factor` times by how much forces of springs over `step`, whose middle is `c`, exceed those in the middle of its time, but for what [`Self::subtract_turned_springs`] takes.
+    /// Adds `factor` times by how much forces of springs over `step`, whose middle is `c`, exceed those in the middle
+    /// of its time, but for what [`Self::subtract_turned_springs`] takes.
     pub fn add_lags_of_springs(
         &self,
         c: &Configuration,
@@ -128,7 +132,8 @@ impl System {
         }
     }
 
-    /// Subtracts `factor` times the forces of springs over a step, in the directions that they have at `c`, in the middle of its time.
+    /// Subtracts `factor` times the forces of springs over a step, in the directions that they have at `c`, in the
+    /// middle of its time.
     pub fn subtract_turned_springs(&self, c: &Configuration, middles: &[Middle], factor: f64, forces: &mut [f64]) {
         for spring in self.springs.iter().filter(|spring| !spring.is_idle()) {
             let coordinate = &self.relative_coordinates[spring.coordinate];
@@ -140,7 +145,8 @@ impl System {
         }
     }
 
-    /// Calls `take` with the number of each relative coordinate that these forces depend on, and with its means over `step`, whose middle is `c`.
+    /// Calls `take` with the number of each relative coordinate that these forces depend on, and with its means over
+    /// `step`, whose middle is `c`.
     pub fn each_mean_of_step(&self, c: &Configuration, step: &TimeStep, mut take: impl FnMut(usize, Mean)) {
         let springs = self.springs.iter().filter(|spring| !spring.is_idle()).map(|spring| {
             let coordinate = &self.relative_coordinates[spring.coordinate];

@@ -15,6 +15,7 @@ mod labels;
 mod limits;
 pub mod middle_forces;
 pub mod step_starts;
+mod sticking;
 mod switching;
 mod tangent_layout;
 pub mod variation;
@@ -40,7 +41,6 @@ use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::force::actuator::Actuator;
-use crate::mechanics::force::law::Law;
 use crate::mechanics::force::load::{Direction, Load, Site};
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
@@ -56,9 +56,6 @@ use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate}
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::State;
 use std::ops::Range;
-
-/// Share of the elastic way of dry friction within which its force is taken for linear.
-const SMOOTH_SHARE: f64 = 1e-3;
 
 /// Coordinates of a place, the first ones of every node and body.
 const PLACE: usize = 3;
@@ -100,10 +97,12 @@ pub struct System {
     pub sensors: Vec<Sensor>,
     /// Largest extent of the system as drawn, m: what lengths are compared with.
     pub size: f64,
-    /// Length of a straight line that is as far from its middle, in the mean square, as nodes and bodies are from theirs as drawn, m: unlike `size` the same in all directions.
+    /// Length of a straight line that is as far from its middle, in the mean square, as nodes and bodies are from
+    /// theirs as drawn, m: unlike `size` the same in all directions.
     pub spread: f64,
-    /// Where the origin of all positions in the state is, global, m: 0, or in the middle of a mechanism that is drawn far from the global origin. Doubles
-    /// keep positions to 1e-16 of their size; times the axial stiffness, that is a force.
+    /// Where the origin of all positions in the state is, global, m: 0, or in the middle of a mechanism that is drawn
+    /// far from the global origin. Doubles keep positions to 1e-16 of their size; times the axial stiffness, that is a
+    /// force.
     pub origin: Vec3,
     /// Mass of everything, kg.
     pub mass: f64,
@@ -150,8 +149,8 @@ impl System {
         excitation.efforts.extend(actuators.map(|(actuator, target)| actuator.at(time, target)));
     }
 
-    /// Whether loads act at `excitation` that derive from no potential: follower loads, and moments about axes that stand still. Stability is
-    /// then no matter of the stiffness alone.
+    /// Whether loads act at `excitation` that derive from no potential: follower loads, and moments about axes that
+    /// stand still. Stability is then no matter of the stiffness alone.
     pub fn follows_no_potential(&self, excitation: &Excitation) -> bool {
         self.loads.iter().zip(&excitation.wrenches).any(|(load, wrench)| {
             let follows = load.direction == Direction::Follower && wrench.force != Vec3::zeros();
@@ -162,7 +161,8 @@ impl System {
             .any(|actuator| actuator.readings().iter().any(|own| own.coordinate != actuator.coordinate))
     }
 
-    /// What drives and frames prescribe at the start, `time` s; `from` is where drives by a rate are, and what is held where.
+    /// What drives and frames prescribe at the start, `time` s; `from` is where drives by a rate are, and what is held
+    /// where.
     pub fn prescribe_start(&self, time: f64, from: &Prescribed, targets: &Targets) -> Prescribed {
         let drives = self.drives.iter().zip(&from.drives).zip(&targets.drives);
         let frames = self.moving_frames.iter().zip(&targets.frames);
@@ -194,7 +194,8 @@ impl System {
         prescribed.holds.clone_from(&from.holds);
     }
 
-    /// The motion of a drive or a frame that is not finite at `time`, s, in words; of a drive the rate or the acceleration where that alone is not.
+    /// The motion of a drive or a frame that is not finite at `time`, s, in words; of a drive the rate or the
+    /// acceleration where that alone is not.
     fn undefined_motion(&self, time: f64) -> Option<String> {
         let targets = Targets {
             end: time,
@@ -219,32 +220,6 @@ impl System {
     /// Whether a spring or a material has damping.
     pub fn is_damped(&self) -> bool {
         self.springs.iter().any(Spring::is_damped) || self.has_material_damping() || self.has_mass_damping()
-    }
-
-    /// Whether there is dry friction.
-    pub fn has_dry_friction(&self) -> bool {
-        self.springs.iter().filter_map(|spring| spring.law.as_ref()).any(|law| law.coulomb() != 0.0)
-    }
-
-    /// Changes of coordinates up to `largest`, over the system's size or rad, of which forces are smooth functions: dry friction turns from sticking to sliding within its elastic way.
-    pub fn smooth_reach(&self, largest: f64) -> f64 {
-        let ways = self.springs.iter().filter_map(|spring| {
-            let dry = spring.law.as_ref()?.dry().filter(|dry| dry.limit > 0.0)?;
-            let is_angle = matches!(
-                self.relative_coordinates[spring.coordinate].measure,
-                Measure::Angle(_) | Measure::Rotation(_)
-            );
-            Some(if is_angle { dry.largest } else { dry.largest / self.size })
-        });
-        ways.fold(largest, |reach, way| reach.min(SMOOTH_SHARE * way))
-    }
-
-    /// The system with the dry part of its friction taken off.
-    #[must_use]
-    pub fn without_dry_friction(&self) -> Self {
-        let mut own = self.clone();
-        own.springs.iter_mut().filter_map(|spring| spring.law.as_mut()).for_each(Law::take_dry_friction_off);
-        own
     }
 
     /// Number of coordinates: those of the nodes, then those of the bodies.
@@ -304,24 +279,6 @@ impl System {
         }
     }
 
-    /// Ends a step or an increment at the coordinates and the prescribed motion in `state`: forces remember what has changed, and references follow.
-    /// `frames` belong to `state.q`.
-    pub fn arrive(&self, state: &mut State, frames: &FrameCache) {
-        if !state.memory.is_empty() {
-            // Out of the state while the configuration looks at the rest of it.
-            let mut memory = std::mem::take(&mut state.lists.memory);
-            let configuration = self.configuration(&state.q, frames, state, &state.prescribed);
-            for spring in &self.springs {
-                if let (Some(place), Some(dry)) = (spring.memory, spring.law.as_ref().and_then(Law::dry)) {
-                    let way = spring.way(&self.relative_coordinates[spring.coordinate], &configuration);
-                    memory[place] = dry.displaced(memory[place], way);
-                }
-            }
-            state.lists.memory = memory;
-        }
-        self.carry_references(state, frames);
-    }
-
     /// Follows the coordinates and the prescribed motion in `state`: references and holonomy angles (2.6, 2.7), the
     /// sensors' rotation vectors and the relative coordinates follow. `frames` belong to `state.q`.
     pub fn carry_references(&self, state: &mut State, frames: &FrameCache) {
@@ -375,7 +332,8 @@ impl System {
         }
     }
 
-    /// The largest of changes of the coordinates: of places over the system's size, and of slopes, angles and directors as they are.
+    /// The largest of changes of the coordinates: of places over the system's size, and of slopes, angles and directors
+    /// as they are.
     pub fn motion_sizes(&self, changes: &[f64]) -> [f64; 2] {
         let (mut places, mut others) = (Largest::default(), Largest::default());
         for part in self.parts() {
@@ -423,8 +381,9 @@ impl System {
         self.spread = if square > 0.0 { (12.0 * square).sqrt() } else { self.size };
     }
 
-    /// The mean over nodes and bodies of the products of two changes of the coordinates: of places over [`Self::spread`], of slopes, angles and directors
-    /// as they are. It measures the lengths of paths, alike with any number of elements.
+    /// The mean over nodes and bodies of the products of two changes of the coordinates: of places over
+    /// [`Self::spread`], of slopes, angles and directors as they are. It measures the lengths of paths, alike with any
+    /// number of elements.
     pub fn mean_product(&self, one: &[f64], other: &[f64]) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0_f64);
         for part in self.parts() {

@@ -1,4 +1,5 @@
-//! What switches engage and release at an instant: joints, locks and drives, which hold where they stand then (MECHANICS 7.10).
+//! What switches engage and release at an instant: joints, locks and drives, which hold where they stand then
+//! (MECHANICS 7.10).
 
 use super::frame_cache::FrameCache;
 use super::{AT_BREAK, System};
@@ -50,8 +51,8 @@ impl System {
         self.holds_at(time, &state.targets).zip(holds).any(|(is_engaged, hold)| is_engaged != hold.is_engaged)
     }
 
-    /// Engages and releases what is to be so at `time`, s: what engages holds where it stands in `state`. Multipliers of what changes are 0 from then on. Returns
-    /// whether anything engages.
+    /// Engages and releases what is to be so at `time`, s: what engages holds where it stands in `state`. Multipliers
+    /// of what changes are 0 from then on. Returns whether anything engages.
     pub fn switch(&self, state: &mut State, time: f64) -> bool {
         let wanted: Vec<bool> = self.holds_at(time, &state.targets).collect();
         let changes = |state: &State, switch: usize| state.prescribed.holds[switch].is_engaged != wanted[switch];

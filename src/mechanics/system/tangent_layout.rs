@@ -1,4 +1,5 @@
-//! The order of the blocks of a system's tangent: those of elements, bodies, load points, springs, actuators and what these read.
+//! The order of the blocks of a system's tangent: those of elements, bodies, load points, springs, actuators and what
+//! these read.
 
 use super::System;
 use crate::mechanics::force::load::Site;

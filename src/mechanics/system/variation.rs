@@ -1,7 +1,8 @@
 //! Small changes of a state: added to one, or taken from the difference of two.
 //!
-//! Coordinates of a node with a frame are measured in the chart of the unchanged state's own triad. A changed state has triads of its own,
-//! carried from the unchanged ones to its tangents (MECHANICS 2.3, 2.6), which leaves `theta` and all quasi-velocities as they are.
+//! Coordinates of a node with a frame are measured in the chart of the unchanged state's own triad. A changed state has
+//! triads of its own, carried from the unchanged ones to its tangents (MECHANICS 2.3, 2.6), which leaves `theta` and
+//! all quasi-velocities as they are.
 
 use super::System;
 use super::frame_cache::FrameCache;
@@ -35,8 +36,8 @@ impl Variation {
         self.holds.resize(state.prescribed.holds.len(), HoldChange { value: 0.0, pose: Pose::zero() });
     }
 
-    /// Changes `state` by `factor` times this; its triads belong to its tangents. What is prescribed, and what hosts want, is the caller's.
-    /// `frames` is scratch memory.
+    /// Changes `state` by `factor` times this; its triads belong to its tangents. What is prescribed, and what hosts
+    /// want, is the caller's. `frames` is scratch memory.
     pub fn apply(&self, system: &System, factor: f64, state: &mut State, frames: &mut FrameCache) {
         state.lists.add(factor, &self.lists);
         for (hold, change) in state.prescribed.holds.iter_mut().zip(&self.holds) {
@@ -62,7 +63,8 @@ impl Variation {
     }
 }
 
-/// Lets triads, holonomy angles, rotation vectors and relative coordinates follow the coordinates of `state`, which have been changed a little. `frames` is scratch memory.
+/// Lets triads, holonomy angles, rotation vectors and relative coordinates follow the coordinates of `state`, which
+/// have been changed a little. `frames` is scratch memory.
 pub fn follow(system: &System, state: &mut State, frames: &mut FrameCache) {
     frames.set(system, &state.q, &state.triads);
     for (triad, frame) in state.triads.iter_mut().zip(&frames.frames) {

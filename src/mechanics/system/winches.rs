@@ -32,7 +32,8 @@ impl System {
         if is_at_rest(velocity) { 0.0 } else { self.paid_out().map(energy).sum() }
     }
 
-    /// Linear (kg m/s) and angular momentum (kg m²/s) about the origin: `sum`, those of the mesh, with what passes through it.
+    /// Linear (kg m/s) and angular momentum (kg m²/s) about the origin: `sum`, those of the mesh, with what passes
+    /// through it.
     pub fn with_transport(&self, mut sum: [Vec3; 2], c: &Configuration, velocity: &[f64]) -> [Vec3; 2] {
         if is_at_rest(velocity) {
             return sum;

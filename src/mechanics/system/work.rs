@@ -1,4 +1,5 @@
-//! Work and power of what acts from outside: gravity, loads, drives, moving frames, dampers. What the energy of the system may change by.
+//! Work and power of what acts from outside: gravity, loads, drives, moving frames, dampers. What the energy of the
+//! system may change by.
 
 use crate::math::Vec3;
 use crate::math::jet::Jet;
@@ -57,8 +58,8 @@ impl System {
         self.mass = self.bodies.iter().fold(of_nodes(&self.mesh.nodes), |sum, body| sum + body.mass);
     }
 
-    /// [`System::forces`] over a step, and `strain_rates` set to the rates over it. Returns what the step does to the energies, as it
-    /// takes its forces.
+    /// [`System::forces`] over a step, and `strain_rates` set to the rates over it. Returns what the step does to the
+    /// energies, as it takes its forces.
     pub fn finish_step(
         &self,
         c: &Configuration,
@@ -97,7 +98,8 @@ impl System {
         found
     }
 
-    /// Work of loads and of actuators as the system passes through `c` while the coordinates change by `change`, J; their power for velocities, W.
+    /// Work of loads and of actuators as the system passes through `c` while the coordinates change by `change`, J;
+    /// their power for velocities, W.
     pub fn loads_and_actuators(
         &self,
         c: &Configuration,
@@ -124,8 +126,9 @@ impl System {
         self.springs.iter().map(power).sum()
     }
 
-    /// Sets what a step from `c` with the velocities `velocity` starts with: `starts` of elements, and `strain_rates` to the rates there of all strains, and of the
-    /// relative coordinates of springs; none: they are known. `middle` has the values of the drives in the middle of the step.
+    /// Sets what a step from `c` with the velocities `velocity` starts with: `starts` of elements, and `strain_rates`
+    /// to the rates there of all strains, and of the relative coordinates of springs; none: they are known. `middle`
+    /// has the values of the drives in the middle of the step.
     pub fn begin_step(
         &self,
         c: &Configuration,
@@ -145,8 +148,8 @@ impl System {
         }
     }
 
-    /// [`Self::energies`] at the instant `c` with the velocities `velocity`, J, and power there, W: of what acts from outside but for constraints and dampers, and of dampers, which
-    /// take it; `forces` is scratch memory.
+    /// [`Self::energies`] at the instant `c` with the velocities `velocity`, J, and power there, W: of what acts from
+    /// outside but for constraints and dampers, and of dampers, which take it; `forces` is scratch memory.
     pub fn energies_and_power(
         &self,
         c: &Configuration,
@@ -168,8 +171,8 @@ impl System {
         (Energies { kinetic: self.kinetic_energy(c, velocity), elastic }, power)
     }
 
-    /// Work of drives and of joints to moving frames while the coordinates change by `change`, J; their power for velocities, W. All other
-    /// constraints do none.
+    /// Work of drives and of joints to moving frames while the coordinates change by `change`, J; their power for
+    /// velocities, W. All other constraints do none.
     pub fn driven_work(&self, gradients: &[JointGradient], multipliers: &[f64], change: &[f64]) -> f64 {
         let mut work = 0.0;
         let mut joints = self.joints_with_rows().zip(gradients).peekable();

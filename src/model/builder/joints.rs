@@ -1,4 +1,5 @@
-//! Joints, drives, actuators, gears and springs of the file as conditions, relative coordinates, actuators and springs of the system.
+//! Joints, drives, actuators, gears and springs of the file as conditions, relative coordinates, actuators and springs
+//! of the system.
 
 use super::tune;
 use super::{Builder, signal, vector};
@@ -37,7 +38,8 @@ use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::Anchor;
 use std::sync::Arc;
 
-/// How far the law of a gear may be from 0 as drawn, rad or m: below the tolerance of the constraints, above the round-off of an expression.
+/// How far the law of a gear may be from 0 as drawn, rad or m: below the tolerance of the constraints, above the
+/// round-off of an expression.
 const AS_DRAWN: f64 = 1e-9;
 
 impl Builder<'_> {

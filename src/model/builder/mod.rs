@@ -174,7 +174,8 @@ impl Builder<'_> {
         vector(self.document, numbers) - self.origin
     }
 
-    /// What an anchor names, with its own axes: a section, a body, a frame, the ground, or a point that is tied to one of these.
+    /// What an anchor names, with its own axes: a section, a body, a frame, the ground, or a point that is tied to one
+    /// of these.
     fn anchored(&self, anchor: &Anchor) -> Marker {
         let carrier = self.carrier(anchor.spot);
         let Some(point) = anchor.point.map(|point| &self.document.points[point]) else { return carrier };
@@ -184,7 +185,8 @@ impl Builder<'_> {
         carrier.carried(&vector(self.document, point.offset), &axes)
     }
 
-    /// Makes the section rigid at which an arm begins: a force at the end of the arm has a moment there, which acts on all of the section.
+    /// Makes the section rigid at which an arm begins: a force at the end of the arm has a moment there, which acts on
+    /// all of the section.
     fn stiffen_below(&mut self, marker: &Marker) {
         if marker.arm() != Vec3::zeros() {
             self.system.stiffen(marker);
@@ -201,8 +203,8 @@ impl Builder<'_> {
         }
     }
 
-    /// What an output looks at: a point for each station; joints and drives are looked at without one, unless somebody looks who moves.
-    /// Adds [`OutputSpec::sensors`] sensors.
+    /// What an output looks at: a point for each station; joints and drives are looked at without one, unless somebody
+    /// looks who moves. Adds [`OutputSpec::sensors`] sensors.
     fn add_sensors(&mut self, output: &OutputSpec) {
         let observer = output.observer.as_ref().map(|observer| self.anchored(&observer.anchor));
         let first = self.system.sensors();

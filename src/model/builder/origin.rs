@@ -1,6 +1,8 @@
-//! From where positions are counted inside the system: the global origin, or the middle of a mechanism that is drawn far from it.
+//! From where positions are counted inside the system: the global origin, or the middle of a mechanism that is drawn
+//! far from it.
 //!
-//! A cantilever of steel drawn at map coordinates, 1e6 m away, has axial forces of some newtons that are round-off of its positions.
+//! A cantilever of steel drawn at map coordinates, 1e6 m away, has axial forces of some newtons that are round-off of
+//! its positions.
 
 use crate::math::Vec3;
 use crate::model::file::document::Document;

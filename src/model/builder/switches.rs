@@ -14,7 +14,8 @@ use crate::model::file::entries::lock::LockSpec;
 use crate::model::file::entries::switch::SwitchSpec;
 use crate::model::file::number::Number;
 
-/// Instants at which it is asked whether a switch is engaged, where the bounds of its function do not tell: shorter pulses may be missed.
+/// Instants at which it is asked whether a switch is engaged, where the bounds of its function do not tell: shorter
+/// pulses may be missed.
 const INSTANTS: u32 = 10_000;
 /// Changes of a switch at most.
 const MOST: usize = 100_000;

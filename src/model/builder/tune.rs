@@ -1,4 +1,5 @@
-//! What may change while the system runs: gravity, loads, actuators, springs and dampers, and where a host wants drives and frames to be.
+//! What may change while the system runs: gravity, loads, actuators, springs and dampers, and where a host wants drives
+//! and frames to be.
 
 use super::{heat, signal, vector};
 use crate::math::jet::Jet;
@@ -81,7 +82,8 @@ pub(super) fn set_springs(document: &Document, system: &mut System) {
     }
 }
 
-/// The frames that a host gives a quaternion of length 0 for the end of a step from `begin` to `end`, s, which says nothing of their orientation.
+/// The frames that a host gives a quaternion of length 0 for the end of a step from `begin` to `end`, s, which says
+/// nothing of their orientation.
 pub fn undirected(
     document: &Document,
     line: impl Fn(Number) -> (f64, f64),
@@ -96,8 +98,9 @@ pub fn undirected(
     })
 }
 
-/// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads and actuators act until then. `line` is the
-/// value of an input and its derivative by time. A frame whose quaternion is 0 keeps its orientation.
+/// Sets what the host wants from `begin` to `end`, s: where drives and frames are to be at the end, and how loads and
+/// actuators act until then. `line` is the value of an input and its derivative by time. A frame whose quaternion is 0
+/// keeps its orientation.
 pub fn aim(
     document: &Document,
     origin: &Vec3,
@@ -159,7 +162,8 @@ pub fn aim(
     }
 }
 
-/// All switches of the system in the order of their building: those of joints, of drives, of locks. None: a drive that only its joint releases.
+/// All switches of the system in the order of their building: those of joints, of drives, of locks. None: a drive that
+/// only its joint releases.
 pub fn switches(document: &Document) -> impl Iterator<Item = Option<SwitchSpec>> + '_ {
     let joints = document.joints.iter().map(|joint| joint.switch).filter(Option::is_some);
     let has_one = |drive: &&DriveSpec| drive.switch.is_some() || document.joints[drive.joint].switch.is_some();
@@ -182,7 +186,8 @@ pub(super) fn axes(orientation: Orientation, value: impl Fn(Number) -> f64) -> O
     }
 }
 
-/// The angular velocity of an orientation whose numbers change, in global axes: of a quaternion `2 Im(q' q⁻¹)`; 0 where it has no direction.
+/// The angular velocity of an orientation whose numbers change, in global axes: of a quaternion `2 Im(q' q⁻¹)`; 0 where
+/// it has no direction.
 fn spin(orientation: Orientation, line: impl Fn(Number) -> (f64, f64)) -> Vec3 {
     match orientation {
         Orientation::Rotation(numbers) => {

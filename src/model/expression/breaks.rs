@@ -1,7 +1,8 @@
 //! Where the tables in an expression have corners: there its derivative jumps, and a step of the solver should end.
 //!
-//! They are known where the argument of a table is `rate * x + start`, of which functions of the file pass on the variable too; corners of a table
-//! whose argument is curved are found as the motion gets there, by bounds ([`super::over`]).
+//! They are known where the argument of a table is `rate * x + start`, of which functions of the file pass on the
+//! variable too; corners of a table whose argument is curved are found as the motion gets there, by bounds
+//! ([`super::over`]).
 
 use super::program::{Binary, Body, Operation, Program, STACK, Unary, binary, unary};
 use crate::math::jet::Jet;

@@ -95,8 +95,8 @@ impl Formula {
 
 /// A number that may depend on time, ready for evaluation: no parameters, no allocation.
 ///
-/// Outside the domain of a function in it (`sqrt(-1)`) value and derivatives are NaN: the caller knows the time and the name
-/// ([`crate::model::document::Document::name`]) for the message.
+/// Outside the domain of a function in it (`sqrt(-1)`) value and derivatives are NaN: the caller knows the time and the
+/// name ([`crate::model::document::Document::name`]) for the message.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Function {
     limits: Vec<f64>,
@@ -175,12 +175,14 @@ impl Function {
         work(Bounded { jet: &|t| self.jet(t), bounds: &|interval| self.over(interval) })
     }
 
-    /// Whether it switches more than [`MOST_SWITCHES`] times between `from` and `to`, by its switches in a few short parts of that.
+    /// Whether it switches more than [`MOST_SWITCHES`] times between `from` and `to`, by its switches in a few short
+    /// parts of that.
     pub fn switches_too_often(&self, span: [f64; 2]) -> bool {
         self.shortest_switching(span).is_some_and(|period| (span[1] - span[0]) / period > MOST_SWITCHES)
     }
 
-    /// The mean time between its switches, where they are so many in a short part of the time from `from` to `to` that steps do not follow; none: they are few.
+    /// The mean time between its switches, where they are so many in a short part of the time from `from` to `to` that
+    /// steps do not follow; none: they are few.
     pub fn shortest_switching(&self, [from, to]: [f64; 2]) -> Option<f64> {
         // One look at the whole time does for most functions.
         if !self.over(Range { low: from, high: to }).switches {
@@ -204,7 +206,8 @@ impl Function {
         self.limits.iter().position(|limit| t < *limit).unwrap_or(self.limits.len())
     }
 
-    /// Where its pieces meet, and where tables in it have corners, ascending; of tables that repeat themselves between `from` and `to` only.
+    /// Where its pieces meet, and where tables in it have corners, ascending; of tables that repeat themselves between
+    /// `from` and `to` only.
     pub fn breaks(&self, [from, to]: [f64; 2]) -> Vec<f64> {
         let mut all = self.limits.clone();
         for (k, piece) in self.pieces.iter().enumerate() {

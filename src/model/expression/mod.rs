@@ -1,6 +1,7 @@
 //! Numbers as formulas: `0.5*pi*(1 - cos(pi*t/T))`, compiled once, evaluated with exact first and second derivatives.
 //!
-//! Known are `+ - * / ^`, comparisons (1 where they hold, else 0), `and`, `or`, parentheses, the functions of [`program::FUNCTIONS`] and
+//! Known are `+ - * / ^`, comparisons (1 where they hold, else 0), `and`, `or`, parentheses, the functions of
+//! [`program::FUNCTIONS`] and
 //! [`program::MORE_FUNCTIONS`], `pi`, `e`, the parameters and functions of the file, and `t` or
 //! `s` where the place allows it. `^` binds tightest and from the right, above the unary minus, as in mathematics:
 //! `-2^2 = -4`, `2^3^2 = 512`.

@@ -58,7 +58,8 @@ pub struct Scope<'a> {
     pub function: &'a dyn Fn(&str) -> Option<Callee>,
     /// The function of the file whose value the expression is; none: it stands elsewhere.
     pub inside: Option<&'a str>,
-    /// The number of a coordinate of a part, `hinge.angle`, or why there is none, in two parts; none: coordinates are not known here.
+    /// The number of a coordinate of a part, `hinge.angle`, or why there is none, in two parts; none: coordinates are
+    /// not known here.
     pub reading: Option<&'a ReadingLookup<'a>>,
 }
 

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 /// Height of the evaluation stack: the parser refuses expressions that need more.
 pub const STACK: usize = 64;
-/// Operations of a program with those of all functions that it calls: functions that call one another twice would double the work with each.
+/// Operations of a program with those of all functions that it calls: functions that call one another twice would
+/// double the work with each.
 pub const MOST_OPERATIONS: usize = 100_000;
 /// Functions that call one another: each needs a stack of its own.
 pub const DEEPEST: usize = 30;
@@ -208,8 +209,8 @@ impl Program {
         Self { operations: vec![Operation::Constant(value)], calls: Vec::new(), cost: 1 }
     }
 
-    /// From operations in the order of their execution; None if they need a higher stack than [`STACK`], more work than [`MOST_OPERATIONS`], or
-    /// functions that call one another deeper than [`DEEPEST`].
+    /// From operations in the order of their execution; None if they need a higher stack than [`STACK`], more work than
+    /// [`MOST_OPERATIONS`], or functions that call one another deeper than [`DEEPEST`].
     pub(super) fn new(operations: Vec<Operation>, calls: Vec<Arc<Called>>) -> Option<Self> {
         let mut height = 0_usize;
         let mut cost = 0_usize;
@@ -269,7 +270,8 @@ impl Program {
         &self.calls[number]
     }
 
-    /// The parameters that occur, in the order of the text, repeats included; then those of the functions that it calls.
+    /// The parameters that occur, in the order of the text, repeats included; then those of the functions that it
+    /// calls.
     pub fn parameters(&self) -> Box<dyn Iterator<Item = usize> + '_> {
         let own = self.operations.iter().filter_map(|operation| match operation {
             Operation::Parameter(place) => Some(*place),
@@ -337,7 +339,8 @@ impl Program {
         })
     }
 
-    /// The first call of a table without a value at its argument: its function and the argument. The parameters are bound.
+    /// The first call of a table without a value at its argument: its function and the argument. The parameters are
+    /// bound.
     pub fn undefined(&self, variable: f64) -> Option<Undefined> {
         let mut found = None;
         self.run([Jet::variable(variable), Jet::constant(0.0)], &AS_DRAWN, &|_| f64::NAN, &mut |called, argument| {

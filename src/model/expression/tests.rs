@@ -1,5 +1,6 @@
-//! Does an expression mean what mathematics means by it, and are its derivatives exact? The oracle is the second-order dual
-//! number of num-dual, an independent automatic differentiation; a wrong chain rule would differ in the first digit.
+//! Does an expression mean what mathematics means by it, and are its derivatives exact? The oracle is the second-order
+//! dual number of num-dual, an independent automatic differentiation; a wrong chain rule would differ in the first
+//! digit.
 
 use super::program::FUNCTIONS;
 use super::{Jet, Variable, compile};
@@ -145,7 +146,8 @@ fn functions_with_jumps_have_the_derivatives_of_their_pieces() {
     }
 }
 
-/// Comparisons are 1 or 0; `and` binds tighter than `or`, and both weaker than comparisons. A branch that is not taken may be undefined.
+/// Comparisons are 1 or 0; `and` binds tighter than `or`, and both weaker than comparisons. A branch that is not taken
+/// may be undefined.
 #[test]
 fn comparisons_and_conditions() {
     for (text, expected) in [

@@ -1,4 +1,5 @@
-//! Variables that would have the same name: `tie.damping` of a material and of a spring, `disk.position[1]` of a body and of an output.
+//! Variables that would have the same name: `tie.damping` of a material and of a spring, `disk.position[1]` of a body
+//! and of an output.
 
 use super::entries::output::{OutputSpec, Target};
 use super::number::Numbers;

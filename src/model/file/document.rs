@@ -50,8 +50,9 @@ impl Deref for Document {
 }
 
 impl Document {
-    /// Reads a file with its overrides, key and value each, except for what only its geometry shows; the report has everything that is
-    /// wrong with the file and the overrides, in their order. Without a document the report is not empty.
+    /// Reads a file with its overrides, key and value each, except for what only its geometry shows; the report has
+    /// everything that is wrong with the file and the overrides, in their order. Without a document the report is not
+    /// empty.
     pub(in crate::model) fn read<'a>(source: &'a Source, overrides: &[(String, String)]) -> (Option<Self>, Report<'a>) {
         let mut report = Report::new(source);
         let Some(mut tree) = tree::parse(source.text(0), 0, &mut report) else { return (None, report) };
@@ -114,7 +115,8 @@ impl Document {
         self.numbers.values[number.0]
     }
 
-    /// What a host's relative tolerance stands for: the accuracy of a motion whose steps follow from it, else what Newton may leave of a step.
+    /// What a host's relative tolerance stands for: the accuracy of a motion whose steps follow from it, else what
+    /// Newton may leave of a step.
     pub fn asked_accuracy(&self) -> f64 {
         let SimulationSpec { analysis, steps, tolerance, .. } = self.simulation;
         match (analysis, steps) {
@@ -194,7 +196,8 @@ impl Document {
         self.source.told(place).place
     }
 
-    /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help` below it.
+    /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help`
+    /// below it.
     pub fn diagnostic(&self, place: Place, message: &str, label: &str, help: &str) -> Diagnostic {
         Diagnostic::new(&self.source, place, message, label, help)
     }

@@ -1,4 +1,5 @@
-//! The flat list of every number of a file: what was written, what it must satisfy, and its value with the parameters resolved.
+//! The flat list of every number of a file: what was written, what it must satisfy, and its value with the parameters
+//! resolved.
 
 use super::range::Range;
 use super::schema::Rule;
@@ -64,8 +65,8 @@ impl Meta {
     }
 }
 
-/// `steel: Young's modulus`, `arm: start of the beam, component 2`: whose number it is, its meaning, and which component the name says. What
-/// belongs to the whole file is a sentence of its own.
+/// `steel: Young's modulus`, `arm: start of the beam, component 2`: whose number it is, its meaning, and which
+/// component the name says. What belongs to the whole file is a sentence of its own.
 fn description(meaning: &str, name: &str) -> String {
     let component = name.strip_suffix(']').and_then(|name| name.rsplit_once('['));
     let component = component.map_or(String::new(), |(_, index)| format!(", component {index}"));
@@ -216,7 +217,8 @@ impl Numbers {
         };
     }
 
-    /// Numbers that are not what they must be, each with the reason. A number that changes in time is asked only whether its pieces ascend.
+    /// Numbers that are not what they must be, each with the reason. A number that changes in time is asked only
+    /// whether its pieces ascend.
     pub fn objections(&self) -> Vec<(Number, String)> {
         let mut list = Vec::new();
         for (place, slot) in self.slots.iter().enumerate() {
@@ -234,7 +236,8 @@ impl Numbers {
         list
     }
 
-    /// Numbers that ask a table for a value that it does not have, each with the time, s, where that is known before a run to `stop` s.
+    /// Numbers that ask a table for a value that it does not have, each with the time, s, where that is known before a
+    /// run to `stop` s.
     pub fn undefined(&self, stop: f64) -> Vec<(Number, f64, Undefined)> {
         let sound = (0..self.slots.len()).filter(|place| self.is_sound(*place));
         let found = sound.filter_map(|place| {
@@ -246,7 +249,8 @@ impl Numbers {
                 Variable::Time | Variable::Control => stop,
                 Variable::AlongInTime if !formula.has_rate() => stop,
                 Variable::None => 0.0,
-                // The curve is looked at where it is drawn, a temperature along the beam, laws of springs and gears where they go.
+                // The curve is looked at where it is drawn, a temperature along the beam, laws of springs and gears
+                // where they go.
                 Variable::Curve | Variable::AlongInTime | Variable::Elongation | Variable::Followed => return None,
             };
             let (time, undefined) = formula.undefined_between([0.0, end], |used| self.values[used])?;

@@ -4,7 +4,8 @@ use super::entries::Parts;
 use super::number::{Number, Numbers, Written};
 use crate::model::text::diagnostic::Report;
 
-/// Reports every number that asks a table for a value it does not have, as far as that is known before a run to `stop` s, and gives them back.
+/// Reports every number that asks a table for a value it does not have, as far as that is known before a run to `stop`
+/// s, and gives them back.
 pub(super) fn report_undefined(numbers: &Numbers, stop: f64, report: &mut Report<'_>) -> Vec<Number> {
     let mut list = Vec::new();
     for (number, time, undefined) in numbers.undefined(stop) {

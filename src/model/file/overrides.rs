@@ -1,12 +1,13 @@
-//! `--set steel.young=2.1e11`: an override replaces or adds a value in the tree, before anything is read. So it is read, checked
-//! and reported as if it stood in the file, except that messages quote the override.
+//! `--set steel.young=2.1e11`: an override replaces or adds a value in the tree, before anything is read. So it is
+//! read, checked and reported as if it stood in the file, except that messages quote the override.
 
 use super::entries::keys_of;
 use crate::model::text::diagnostic::{Place, Report};
 use crate::model::text::names::{SECTIONS, is_legal, suggestion};
 use crate::model::text::tree::{Entry, Item, Node, parse_override};
 
-/// Components of a list that the file does not write: a vector. The one list that may be longer, an inertia, is always written.
+/// Components of a list that the file does not write: a vector. The one list that may be longer, an inertia, is always
+/// written.
 const VECTOR: usize = 3;
 /// Components that a list of numbers may have.
 const COUNTS: [usize; 2] = [VECTOR, 6];
@@ -54,9 +55,8 @@ pub fn apply(tree: &mut [Entry], overrides: &[(String, String)], report: &mut Re
     }
 }
 
-/// Puts those overrides into the tree that can decide what there is: entries of `[parameters]`, the `count` of things in the section `copies`, and the
-/// `file` of things in the section `functions`.
-/// Says which ones these are.
+/// Puts those overrides into the tree that can decide what there is: entries of `[parameters]`, the `count` of things
+/// in the section `copies`, and the `file` of things in the section `functions`. Says which ones these are.
 pub fn apply_early(
     tree: &mut [Entry],
     [copies, functions]: [&str; 2],
@@ -168,7 +168,8 @@ fn find(tree: &mut [Entry], path: &str, place: Place, report: &mut Report<'_>) -
     None
 }
 
-/// What `NAME.key` can mean: a key of each thing with this name, or with a section in place of the name, `SECTION.NAME.key`.
+/// What `NAME.key` can mean: a key of each thing with this name, or with a section in place of the name,
+/// `SECTION.NAME.key`.
 fn candidates(names: &[(&'static str, String)], name: &str, key: &str) -> Vec<Target> {
     let targets = |section: Option<&str>, name: &str, key: &str| -> Vec<Target> {
         let same = |(kind, known): &&(&'static str, String)| {

@@ -286,7 +286,8 @@ impl Quantity {
         is_motion || self.is_transmitted()
     }
 
-    /// Whether it holds the fast oscillations that a step does not resolve, and jumps where the motion only bends: strains, forces, accelerations.
+    /// Whether it holds the fast oscillations that a step does not resolve, and jumps where the motion only bends:
+    /// strains, forces, accelerations.
     pub fn is_rough(self) -> bool {
         use Quantity::*;
         let is_strain = matches!(self, AxialStrain | Curvature | Torsion | Stress);
@@ -294,7 +295,8 @@ impl Quantity {
         is_strain || is_force || self.is_acceleration()
     }
 
-    /// Whether it tells where the mechanism is, or an energy: neither how fast it moves nor which strains and forces there are.
+    /// Whether it tells where the mechanism is, or an energy: neither how fast it moves nor which strains and forces
+    /// there are.
     pub fn is_configuration(self) -> bool {
         use Quantity::*;
         let is_place =

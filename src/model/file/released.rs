@@ -5,8 +5,8 @@ use super::number::Numbers;
 use crate::model::text::diagnostic::Report;
 use crate::model::text::names::Kind;
 
-/// Reports what would go on acting on a coordinate of a joint that may be released: the coordinate means nothing between parts that fly on.
-/// Drives and locks are released with the joint.
+/// Reports what would go on acting on a coordinate of a joint that may be released: the coordinate means nothing
+/// between parts that fly on. Drives and locks are released with the joint.
 pub(super) fn report(parts: &Parts, numbers: &Numbers, report: &mut Report<'_>) {
     const HELP: &str = "drives and locks may act on it: they are released with the joint. Put a spring or an actuator between two points, \
                         or on another joint";

@@ -119,7 +119,8 @@ pub enum Role {
     Number,
     /// A position, global.
     Position,
-    /// The offset of a point: a position where it is on the ground, a direction on a frame, else numbers in the axes of what it is on.
+    /// The offset of a point: a position where it is on the ground, a direction on a frame, else numbers in the axes of
+    /// what it is on.
     Offset,
     /// A direction, a velocity, a force: global components.
     Direction,

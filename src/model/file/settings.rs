@@ -18,8 +18,8 @@ impl Document {
         typed(&self.numbers.slots[place], self.numbers.values[place])
     }
 
-    /// Sets parameter `index` and what follows from it. Numbers that follow are checked by [`Self::check`], once all are set:
-    /// a host sets them one after another.
+    /// Sets parameter `index` and what follows from it. Numbers that follow are checked by [`Self::check`], once all
+    /// are set: a host sets them one after another.
     ///
     /// # Errors
     /// The parameter is calculated, the type is wrong or the value is out of range; nothing has changed.

@@ -3,12 +3,14 @@
 use super::document::Document;
 use super::entries::simulation::{Analysis, Follow, SimulationSpec, Steps};
 
-/// Rows of results of a file that says neither how far they are apart nor a step: of a motion, and of a row of equilibria.
+/// Rows of results of a file that says neither how far they are apart nor a step: of a motion, and of a row of
+/// equilibria.
 const ROWS_OF_MOTION: f64 = 500.0;
 const ROWS_OF_EQUILIBRIA: f64 = 50.0;
 
 impl Document {
-    /// The instant at which the mechanism is as drawn, s, in a run that begins at `start`, s: the beginning of its preload.
+    /// The instant at which the mechanism is as drawn, s, in a run that begins at `start`, s: the beginning of its
+    /// preload.
     pub fn drawn_at(&self, start: f64) -> f64 {
         self.simulation.preload.map_or(start, |preload| start - self.value(preload))
     }
@@ -38,7 +40,8 @@ impl Document {
         }
     }
 
-    /// The largest internal step, s; where the solver chooses the steps of a motion, one that does not depend on the rows.
+    /// The largest internal step, s; where the solver chooses the steps of a motion, one that does not depend on the
+    /// rows.
     pub fn largest_step(&self) -> f64 {
         let SimulationSpec { analysis, stop, steps, .. } = &self.simulation;
         match (steps, analysis) {

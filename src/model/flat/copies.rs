@@ -306,8 +306,8 @@ impl Flattener<'_> {
         Some(rows)
     }
 
-    /// The motion by `turn` and `move`, and the angle of the turn, rad, where it is known; none: a mistake, which is reported. A turn without an angle is by
-    /// `share`.
+    /// The motion by `turn` and `move`, and the angle of the turn, rad, where it is known; none: a mistake, which is
+    /// reported. A turn without an angle is by `share`.
     fn motion(&mut self, scope: &Scope<'_>, keys: &[Entry], share: Option<f64>) -> Option<(Motion, Option<f64>)> {
         let (mut motion, mut known) = (Motion::none(), None);
         if let Some(turn) = keys.iter().find(|entry| entry.key == "turn") {
@@ -366,8 +366,8 @@ impl Flattener<'_> {
         Some((motion, known))
     }
 
-    /// Remarks that an angle, of an include or from each of `count` copies to the next, is one in degrees: it is more than a whole turn, or `count` of it are
-    /// 360.
+    /// Remarks that an angle, of an include or from each of `count` copies to the next, is one in degrees: it is more
+    /// than a whole turn, or `count` of it are 360.
     fn suspect(&mut self, keys: &[Entry], title: &str, angle: f64, count: usize) {
         let angle = angle.abs();
         let is_share = count > 1 && (angle * count as f64 - 360.0).abs() <= ROUND_OFF * 360.0;

@@ -1,4 +1,5 @@
-//! `[function.NAME]` in the flat model: expressions with the names that they have there, and tables in place of their files.
+//! `[function.NAME]` in the flat model: expressions with the names that they have there, and tables in place of their
+//! files.
 
 use super::data::file_of;
 use super::instance::Flattener;

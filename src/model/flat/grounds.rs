@@ -12,7 +12,8 @@ const GROUND: &str = "ground";
 const WITH_ENDS: [&str; 2] = ["spring", "actuator"];
 
 impl Flattener<'_> {
-    /// Gives the ends at the ground, of `thing` of `section`, points of their own where the copy has moved the origin. `keys` are those of the original.
+    /// Gives the ends at the ground, of `thing` of `section`, points of their own where the copy has moved the origin.
+    /// `keys` are those of the original.
     pub fn fill_grounds<'e>(
         &mut self,
         scope: &Scope<'_>,
@@ -55,7 +56,8 @@ impl Flattener<'_> {
     }
 }
 
-/// The motion of the ground that `text` means: of the file or the copy where the word stands; none: it means something else.
+/// The motion of the ground that `text` means: of the file or the copy where the word stands; none: it means something
+/// else.
 fn ground<'p>(scope: &'p Scope<'p>, text: &str) -> Option<&'p Motion> {
     match scope.row(text) {
         Some((written, outside)) => ground(outside, written),

@@ -31,7 +31,8 @@ pub(super) struct Flattener<'a> {
     pub library: &'a Library,
     /// What messages say of copies, by number.
     pub notes: Vec<String>,
-    /// The parameters that decide what there is, with their values: as an earlier pass found them, and as this one does.
+    /// The parameters that decide what there is, with their values: as an earlier pass found them, and as this one
+    /// does.
     pub known: BTreeMap<String, f64>,
     pub decisive: BTreeMap<String, f64>,
     /// What is legal and probably a mistake, and where it is written.

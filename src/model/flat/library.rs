@@ -185,7 +185,8 @@ impl Library {
     }
 }
 
-/// The functions of a file that have their tables in files, those in copies too: the name of the file with its place, and the column.
+/// The functions of a file that have their tables in files, those in copies too: the name of the file with its place,
+/// and the column.
 fn functions_with_files(body: &[Entry]) -> Vec<(&str, Place, Option<&Item>)> {
     let own = table(body, FUNCTION).unwrap_or_default().iter();
     let mut list: Vec<_> = own.filter_map(file_of).collect();

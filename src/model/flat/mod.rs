@@ -1,5 +1,6 @@
-//! From copies (`[copy.NAME]`), included files (`[include.NAME]`) and tables in files (`file` of `[function.NAME]`) to a flat model: the text of a file without them. It is what is
-//! read, run and packed; messages about it tell the place of the original and the copy.
+//! From copies (`[copy.NAME]`), included files (`[include.NAME]`) and tables in files (`file` of `[function.NAME]`) to
+//! a flat model: the text of a file without them. It is what is read, run and packed; messages about it tell the place
+//! of the original and the copy.
 
 mod copies;
 mod data;
@@ -43,8 +44,8 @@ impl std::fmt::Debug for Files<'_> {
 /// The largest flat model, bytes: that of a model file.
 const LARGEST: usize = 10 << 20;
 
-/// Turns a file into a flat one if it has copies, includes or tables in files, with the overrides that decide what there is; otherwise returns it as it is.
-/// Without `files` the text comes from memory and includes nothing.
+/// Turns a file into a flat one if it has copies, includes or tables in files, with the overrides that decide what
+/// there is; otherwise returns it as it is. Without `files` the text comes from memory and includes nothing.
 ///
 /// # Errors
 /// Everything that is wrong with copies and includes.

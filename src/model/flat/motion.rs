@@ -1,4 +1,5 @@
-//! Where a copy is: its original, turned and then moved, `R (x - center) + center + move`; in nested copies one motion after the other.
+//! Where a copy is: its original, turned and then moved, `R (x - center) + center + move`; in nested copies one motion
+//! after the other.
 
 use super::scalar::Scalar;
 use super::tables::{Role, role};
@@ -90,7 +91,8 @@ impl Motion {
         (self.shift != zeros()).then_some(&self.shift)
     }
 
-    /// Moves a part of a section: its keys are those of the original, with names and numbers of the copy. `on_frame`: it is a point on a frame.
+    /// Moves a part of a section: its keys are those of the original, with names and numbers of the copy. `on_frame`:
+    /// it is a point on a frame.
     ///
     /// # Errors
     /// Something in it cannot be turned.
@@ -109,7 +111,8 @@ impl Motion {
             match role(section, &entry.key, is_list) {
                 Role::Position => self.move_list(&mut entry.item, true)?,
                 Role::Offset if is_on_ground => self.move_list(&mut entry.item, true)?,
-                // The rotation vector of a turned frame turns along, which leaves axes along the global ones where they are.
+                // The rotation vector of a turned frame turns along, which leaves axes along the global ones where they
+                // are.
                 Role::Offset if on_frame => self.move_list(&mut entry.item, false)?,
                 Role::Direction if !is_follower => self.move_list(&mut entry.item, false)?,
                 Role::AlongAxes => self.turn_diagonal(&mut entry.item)?,

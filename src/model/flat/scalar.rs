@@ -86,7 +86,8 @@ impl Scalar {
         }
     }
 
-    /// Two texts with an operator between them; beyond the longest expression it grows no further, and the reader refuses it.
+    /// Two texts with an operator between them; beyond the longest expression it grows no further, and the reader
+    /// refuses it.
     fn joined(a: &str, operator: &str, b: &str) -> Self {
         match a.len() + b.len() > 2 * LENGTH {
             true => Self::Text(a.to_owned()),

@@ -1,5 +1,5 @@
-//! What names and numbers mean at a place of the file: inside copies the index is a number and names are those of the same copy; inside an
-//! included file names have the prefix of the include.
+//! What names and numbers mean at a place of the file: inside copies the index is a number and names are those of the
+//! same copy; inside an included file names have the prefix of the include.
 
 use super::motion::Motion;
 use super::tables::{FUNCTION, INCLUDE, PARAMETERS, PLACES, bodies, has, names_of, table};
@@ -45,7 +45,8 @@ pub(super) struct StandIn {
 pub(super) enum Meaning<'s> {
     /// A text that stands for it.
     Text(String),
-    /// A parameter with its new name and, unless it is one of an included file, its value and the scope to read that in.
+    /// A parameter with its new name and, unless it is one of an included file, its value and the scope to read that
+    /// in.
     Parameter(String, Option<(&'s Item, &'s Scope<'s>)>),
 }
 
@@ -201,7 +202,8 @@ fn depth_of(body: &[Entry], section: Option<&str>, name: &str) -> Option<usize> 
     bodies(body).find_map(|inner| depth_of(inner, section, name)).map(|depth| depth + 1)
 }
 
-/// Whether a copy below `body` has a thing of this very name: a name with the prefix of an include may be one of the flat model.
+/// Whether a copy below `body` has a thing of this very name: a name with the prefix of an include may be one of the
+/// flat model.
 fn is_below(body: &[Entry], section: Option<&str>, name: &str) -> bool {
     bodies(body).any(|inner| has(inner, section, name) || is_below(inner, section, name))
 }

@@ -1,4 +1,5 @@
-//! How far the results are off because of the lengths of the steps: the error that the state carries along, as each result shows it.
+//! How far the results are off because of the lengths of the steps: the error that the state carries along, as each
+//! result shows it.
 
 use super::correction::{self, Remainder};
 use super::neighbor::Neighbor;
@@ -21,13 +22,15 @@ const FIRST_STEPS: u64 = 8;
 const EXPECTED: f64 = 0.005;
 /// The same for the error of a force or a strain because of the mesh.
 const EXPECTED_OF_FORCES: f64 = 0.01;
-/// Share of the looks in which a force, a strain or an acceleration may be off by more: it jumps where the motion only bends.
+/// Share of the looks in which a force, a strain or an acceleration may be off by more: it jumps where the motion only
+/// bends.
 const ROUGH_SHARE: f64 = 0.05;
 /// A force or moment is compared with this share of the largest one of the system at least.
 const SMALL_FORCE: f64 = 0.1;
 /// An error below this share is told as that: of a model at rest it is round-off.
 const LEAST_TOLD: f64 = 1e-6;
-/// How fast the mesh error of positions and energies of a motion falls with the length of the elements. The elements have order 4; vibrations that a mesh does not resolve lower it.
+/// How fast the mesh error of positions and energies of a motion falls with the length of the elements. The elements
+/// have order 4; vibrations that a mesh does not resolve lower it.
 pub const ORDER: i32 = 3;
 /// Order of the linear twist: the mesh error of no result falls faster where torsion counts.
 pub const ORDER_OF_TWIST: i32 = 2;
@@ -200,7 +203,8 @@ impl Accuracy {
         steps <= FIRST_STEPS || steps >= self.looked.saturating_add(STEPS)
     }
 
-    /// Looks at the errors of the `results` of `state`, as computed, which have been included; `responder` is there if results ask for a response, `spare` is scratch memory. `corrects`: they will be corrected.
+    /// Looks at the errors of the `results` of `state`, as computed, which have been included; `responder` is there if
+    /// results ask for a response, `spare` is scratch memory. `corrects`: they will be corrected.
     pub fn look(
         &mut self,
         (columns, table): (&Columns, &Table),
@@ -223,7 +227,8 @@ impl Accuracy {
         }
     }
 
-    /// Takes the error out of those of the `results` of `state`, as computed, that are not rough; arguments are those of [`Self::look`].
+    /// Takes the error out of those of the `results` of `state`, as computed, that are not rough; arguments are those
+    /// of [`Self::look`].
     pub fn correct(
         &self,
         (columns, table): (&Columns, &Table),
@@ -272,8 +277,8 @@ impl Accuracy {
         energies.map(|(_, span)| span.range).fold(0.0, f64::max)
     }
 
-    /// All families of results with their errors because of the lengths of the steps; none of quantities that are zero. `corrects`: those that are
-    /// not rough are told as corrected.
+    /// All families of results with their errors because of the lengths of the steps; none of quantities that are zero.
+    /// `corrects`: those that are not rough are told as corrected.
     pub fn errors(&self, columns: &Columns, measures: &Measures, corrects: bool) -> Vec<Inexact> {
         let error = |number: usize, family: &Family| {
             let error = self.errors.get(number)?.exceeded_by(family.left_out());
@@ -289,8 +294,8 @@ impl Accuracy {
         self.shares(columns, measures, |number, _| Some(largest[number]))
     }
 
-    /// All families of results with their errors because of the mesh, from the differences of this run and one whose elements are `ratio` times as long; `limit`: no
-    /// order is higher.
+    /// All families of results with their errors because of the mesh, from the differences of this run and one whose
+    /// elements are `ratio` times as long; `limit`: no order is higher.
     pub fn errors_beside(
         &self,
         columns: &Columns,
@@ -305,7 +310,8 @@ impl Accuracy {
         self.shares(columns, measures, error)
     }
 
-    /// All families of results with their errors, given in their units by number and family, as shares of their ranges; none of quantities that are zero.
+    /// All families of results with their errors, given in their units by number and family, as shares of their ranges;
+    /// none of quantities that are zero.
     fn shares(
         &self,
         columns: &Columns,
@@ -339,7 +345,8 @@ pub enum Setting {
 }
 
 impl Setting {
-    /// What it should be for an error that is `factor` times as large, in words. Errors grow as the square of the steps, and as the accuracy.
+    /// What it should be for an error that is `factor` times as large, in words. Errors grow as the square of the
+    /// steps, and as the accuracy.
     fn proposed(self, factor: f64) -> String {
         match self {
             Self::Step(step) => format!("{}: {:.1e} s", self.name(), step * factor.sqrt()),
@@ -382,7 +389,8 @@ impl Inexact {
         })
     }
 
-    /// The warning about a run whose results are off by more than a reader expects because of both its steps and its mesh, whose error is `mesh`.
+    /// The warning about a run whose results are off by more than a reader expects because of both its steps and its
+    /// mesh, whose error is `mesh`.
     pub fn warning_with_mesh(&self, mesh: &Self, setting: Setting) -> String {
         let sum = Self { error: self.error + mesh.error, ..self.clone() };
         format!(
@@ -404,7 +412,8 @@ impl Inexact {
         self.error / if self.is_rough { EXPECTED_OF_FORCES } else { EXPECTED }
     }
 
-    /// The warning about a run whose results are off by more than a reader expects because of the mesh, as `seen_from` another one; `twists`: a beam has linear twist.
+    /// The warning about a run whose results are off by more than a reader expects because of the mesh, as `seen_from`
+    /// another one; `twists`: a beam has linear twist.
     pub fn warning_of_mesh(&self, seen_from: &str, twists: bool) -> Option<String> {
         let or_twist = if twists { ", or twist = \"quadratic\"" } else { "" };
         (self.excess() > 1.0).then(|| {

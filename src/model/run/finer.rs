@@ -24,7 +24,8 @@ pub struct Finer {
 }
 
 impl Finer {
-    /// Builds the mechanism of `document`, which was read with `overrides`, with twice the elements, as drawn at `start`, s; none if a beam has no such mesh.
+    /// Builds the mechanism of `document`, which was read with `overrides`, with twice the elements, as drawn at
+    /// `start`, s; none if a beam has no such mesh.
     pub fn new(document: &Document, overrides: &[Override], start: f64) -> Option<Self> {
         let other = levels::changed(document, overrides, Level::DoubleElements.overrides(document)?)?;
         let built = builder::build(&other, document.drawn_at(start)).ok()?;

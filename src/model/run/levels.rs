@@ -53,8 +53,8 @@ impl Level {
         matches!(self, Self::DoubleStep | Self::HalfElements)
     }
 
-    /// What it takes to get it from `document`. None: there is no such run, because statics has no step error, the system has no
-    /// beams, no beam has linear twist, or a number of elements is odd.
+    /// What it takes to get it from `document`. None: there is no such run, because statics has no step error, the
+    /// system has no beams, no beam has linear twist, or a number of elements is odd.
     pub fn overrides(self, document: &Document) -> Option<Vec<Override>> {
         let is_dynamic = document.simulation.analysis == Analysis::Dynamic;
         let own = match self {
@@ -73,8 +73,9 @@ impl Level {
         Some(own.into_iter().chain([(String::from("simulation.output_step"), output_step.to_string())]).collect())
     }
 
-    /// Every how many rows it has one to compare. Internal steps end at every row: where whole numbers of longer ones do not fill the time between
-    /// two rows, they fill that between three, or the steps would not all be twice as long.
+    /// Every how many rows it has one to compare. Internal steps end at every row: where whole numbers of longer ones
+    /// do not fill the time between two rows, they fill that between three, or the steps would not all be twice as
+    /// long.
     pub fn stride(self, document: &Document) -> u64 {
         if matches!(document.simulation.steps, Steps::ForAccuracy(_)) {
             return 1;
@@ -130,7 +131,8 @@ fn with_quadratic_twist(document: &Document, mesh: Vec<Override>) -> Vec<Overrid
     quadratic_twist(document).into_iter().chain(mesh).collect()
 }
 
-/// Other numbers of elements in all beams, each from the beam's place and its own number; none where one of them has no such number.
+/// Other numbers of elements in all beams, each from the beam's place and its own number; none where one of them has no
+/// such number.
 fn mesh(document: &Document, other: impl Fn(usize, usize) -> Option<usize>) -> Option<Vec<Override>> {
     let mut overrides = Vec::new();
     for (place, beam) in document.beams.iter().enumerate() {
@@ -151,7 +153,8 @@ fn mesh(document: &Document, other: impl Fn(usize, usize) -> Option<usize>) -> O
 pub struct OtherMesh {
     /// Overrides for the elements of every beam, and for the nodes and rows that depend on them.
     pub overrides: Vec<Override>,
-    /// Length of its elements over the length of those in the first run. Beams with fewer elements differ in this ratio: the smallest one.
+    /// Length of its elements over the length of those in the first run. Beams with fewer elements differ in this
+    /// ratio: the smallest one.
     pub ratio: f64,
 }
 
@@ -167,8 +170,8 @@ impl OtherMesh {
         Some(Self { overrides, ratio })
     }
 
-    /// Takes half the elements of each beam, or the fewest beyond that with which joints find their nodes. A beam that needs more than two thirds of its elements keeps all of
-    /// them; none if all beams do.
+    /// Takes half the elements of each beam, or the fewest beyond that with which joints find their nodes. A beam that
+    /// needs more than two thirds of its elements keeps all of them; none if all beams do.
     fn coarser(document: &Document) -> Option<Self> {
         let count = |place: usize, own: usize| {
             let held = held_places(document, place, own);
@@ -196,7 +199,8 @@ fn held_places(document: &Document, beam: usize, elements: usize) -> Vec<f64> {
     places.filter(|fraction| division.end_at(*fraction).is_some()).collect()
 }
 
-/// `document`, which was read with `overrides`, with `changes`, and with the parameters that a host has set; none where it cannot be read.
+/// `document`, which was read with `overrides`, with `changes`, and with the parameters that a host has set; none where
+/// it cannot be read.
 pub fn changed(document: &Document, overrides: &[Override], changes: Vec<Override>) -> Option<Document> {
     let keys: Vec<String> = changes.iter().map(|(key, _)| key.clone()).collect();
     let overrides = merged(&document.remaining(overrides), changes);
@@ -263,7 +267,8 @@ fn at(document: &Document, section: &str, name: &str) -> String {
     }
 }
 
-/// The place of node `node` of a beam, as it is written for another number of elements: a node, or where there is none, a fraction.
+/// The place of node `node` of a beam, as it is written for another number of elements: a node, or where there is none,
+/// a fraction.
 fn same_place(document: &Document, beam: &BeamSpec, node: usize, [from, to]: [usize; 2]) -> Option<String> {
     let fraction = shape::division(document, beam, from)?.fraction(node)?;
     let other = match &beam.line {

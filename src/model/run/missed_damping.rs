@@ -1,5 +1,5 @@
-//! Whether vibrations have the damping ratios that a material asks for. Damping in proportion to mass acts on the masses of beams only: a vibration whose kinetic energy is
-//! mostly that of bodies has less.
+//! Whether vibrations have the damping ratios that a material asks for. Damping in proportion to mass acts on the
+//! masses of beams only: a vibration whose kinetic energy is mostly that of bodies has less.
 
 use crate::model::file::entries::damping::Damping;
 use crate::model::file::entries::simulation::Analysis;
@@ -11,7 +11,8 @@ use std::f64::consts::TAU;
 
 /// The lowest modes, which are looked at.
 const MODES: usize = 6;
-/// How far beyond the two frequencies of a material a mode may be, as a factor, to be one of those that its ratios are for.
+/// How far beyond the two frequencies of a material a mode may be, as a factor, to be one of those that its ratios are
+/// for.
 const BEYOND: f64 = 1.25;
 /// Share of the asked ratio below which it is missed.
 const MISSED: f64 = 0.5;

@@ -1,4 +1,5 @@
-//! Results of a neighboring state: one that is moved a little along the error that the lengths of the steps have caused, so that differences tell the error of results.
+//! Results of a neighboring state: one that is moved a little along the error that the lengths of the steps have
+//! caused, so that differences tell the error of results.
 
 use crate::mechanics::state::State;
 use crate::mechanics::state::time_error::TimeError;
@@ -8,7 +9,8 @@ use crate::model::variables::{Moment, Table};
 use crate::solve::step::response::{Responder, Response};
 use crate::solve::step::spare::Spare;
 
-/// How far a state is moved along its error, as a share of the system's size or rad: so little that results follow linearly.
+/// How far a state is moved along its error, as a share of the system's size or rad: so little that results follow
+/// linearly.
 const REACH: f64 = 1e-6;
 /// Most that a state is moved, in errors.
 const LARGEST_MULTIPLE: f64 = 1e3;
@@ -23,8 +25,9 @@ pub struct Neighbor {
 }
 
 impl Neighbor {
-    /// Measures the results that `state` has when it is moved along its error. Returns them, and by how many errors it is moved; none where that cannot be said.
-    /// `responder` is there if results ask for a response; `spare` is memory for the neighboring state.
+    /// Measures the results that `state` has when it is moved along its error. Returns them, and by how many errors it
+    /// is moved; none where that cannot be said. `responder` is there if results ask for a response; `spare` is memory
+    /// for the neighboring state.
     pub fn measure(
         &mut self,
         table: &Table,

@@ -27,7 +27,8 @@ fn passed(about: &About, time: f64) -> u64 {
     (time / about.output_step + ROUNDING).floor().max(0.0) as u64
 }
 
-/// Number of the first row after `begin`, s, where a run begins there instead of at 0; `last` is that of the last row. None: nothing is left to run.
+/// Number of the first row after `begin`, s, where a run begins there instead of at 0; `last` is that of the last row.
+/// None: nothing is left to run.
 pub fn first_after(about: &About, begin: f64, last: u64) -> Option<u64> {
     let margin = ROUNDING * about.output_step;
     (begin + margin < about.stop).then(|| (passed(about, begin) + 1).min(last))
@@ -41,7 +42,8 @@ fn rows_until(stop: f64, step: f64) -> u64 {
 mod tests {
     use super::*;
 
-    /// A run that begins where another has ended writes the rows that this one has not: also where the division is not exact, or the end is between two rows.
+    /// A run that begins where another has ended writes the rows that this one has not: also where the division is not
+    /// exact, or the end is between two rows.
     #[test]
     fn rows_go_on_after_a_beginning() {
         let about = |stop: f64, output_step: f64| About { stop, output_step, ..About::default() };

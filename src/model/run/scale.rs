@@ -1,10 +1,11 @@
 //! What the errors of a quantity are compared with: the range of all its components over a run.
 //!
-//! A component that is zero by symmetry has the round-off of the others for its range, so that all components of a quantity have one
-//! scale, the largest range among them. A quantity that is zero as a whole is found by what its unit amounts to in this system.
+//! A component that is zero by symmetry has the round-off of the others for its range, so that all components of a
+//! quantity have one scale, the largest range among them. A quantity that is zero as a whole is found by what its unit
+//! amounts to in this system.
 //!
-//! Beams that follow their heat or their prestress hold nothing, but for what a mesh makes of it: their forces and energies are compared with those that the same
-//! deformation would hold without heat or prestress.
+//! Beams that follow their heat or their prestress hold nothing, but for what a mesh makes of it: their forces and
+//! energies are compared with those that the same deformation would hold without heat or prestress.
 
 use crate::math::Vec3;
 use crate::math::rotation::rotation_between;
@@ -13,8 +14,12 @@ use serde::{Deserialize, Serialize};
 
 /// A quantity that changes by less than this share of its size is a constant: it is compared with its size.
 const CONSTANT: f64 = 1e-6;
-/// A quantity below this share of what its unit amounts to in the system is zero: the round-off of large numbers that cancel.
+/// A quantity below this share of what its unit amounts to in the system is zero: the round-off of large numbers that
+/// cancel.
 const ZERO: f64 = 1e-9;
+/// Elastic ways of dry friction that a position or an angle at rest moves by: one at each side, and what slides
+/// when a load is there at once.
+const STICKING: f64 = 3.0;
 /// Strains and quaternions: a strain of 1e-12 is round-off.
 const PURE_NUMBER: f64 = 1e-3;
 
@@ -31,6 +36,8 @@ pub struct Measures {
     pub gravity: f64,
     /// What its beams do.
     pub beams: Beams,
+    /// Largest elastic way of dry friction, over the extent or rad: sides that move by no more than that stick.
+    pub sticking: f64,
 }
 
 /// What quantities of beams amount to.
@@ -45,7 +52,12 @@ pub struct Beams {
 impl Measures {
     /// The scale of a quantity with this unit that ranges as `span`; 0: it is zero.
     pub fn scale(&self, unit: &str, span: Span) -> f64 {
-        let scale = span.scale(self.natural(unit));
+        let way = match unit {
+            "m" => self.sticking * self.size,
+            "rad" => self.sticking,
+            _ => 0.0,
+        };
+        let scale = if span.range <= STICKING * way { 0.0 } else { span.scale(self.natural(unit)) };
         if scale > 0.0 { scale.max(self.beams.relieved.of(unit)) } else { 0.0 }
     }
 
@@ -74,8 +86,8 @@ impl Measures {
     }
 }
 
-/// Replaces the rotation vectors of `other`, which begin at the numbers `rotations`, by those of `own` plus the turn from one to the other. Components of rotation vectors that are
-/// near to each other as turns may be far apart.
+/// Replaces the rotation vectors of `other`, which begin at the numbers `rotations`, by those of `own` plus the turn
+/// from one to the other. Components of rotation vectors that are near to each other as turns may be far apart.
 pub fn compare_turns(rotations: &[usize], own: &[f64], other: &mut [f64]) {
     for first in rotations {
         let [from, to] = [own, &*other].map(|row| Vec3::from_row_slice(&row[*first..first + 3]));
@@ -113,7 +125,8 @@ impl Span {
     }
 }
 
-/// Whether a column ranges from zero on: kinetic and elastic energy are zero at rest and as drawn; that of gravity may have any constant.
+/// Whether a column ranges from zero on: kinetic and elastic energy are zero at rest and as drawn; that of gravity may
+/// have any constant.
 pub fn counts_from_zero(name: &str) -> bool {
     matches!(name, "energy.kinetic" | "energy.elastic")
 }

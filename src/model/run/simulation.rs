@@ -151,8 +151,8 @@ impl Simulation {
         &self.runner.state
     }
 
-    /// Multipliers of the joints' conditions, N or N m, where they are those of the very instant: always of equilibria and of generalized-alpha, otherwise
-    /// where an output asks for what follows from them.
+    /// Multipliers of the joints' conditions, N or N m, where they are those of the very instant: always of equilibria
+    /// and of generalized-alpha, otherwise where an output asks for what follows from them.
     pub fn multipliers(&self) -> Option<&[f64]> {
         let simulation = &self.document.simulation;
         let is_at_instant = simulation.analysis == Analysis::Static
@@ -170,6 +170,7 @@ impl Simulation {
             energy: self.accuracy.energy(&self.columns),
             gravity: system.gravity.norm(),
             beams: self.watch.beams(),
+            sticking: system.sticking_way(),
         }
     }
 
@@ -215,7 +216,8 @@ impl Simulation {
         }
     }
 
-    /// Begins a run with `runner`, which has found the state at its start; the one before stays where its results are not finite.
+    /// Begins a run with `runner`, which has found the state at its start; the one before stays where its results are
+    /// not finite.
     fn begin_with(&mut self, runner: Runner) -> Result<(), Failure> {
         let before = std::mem::replace(&mut self.runner, runner);
         self.frames = FrameCache::default();

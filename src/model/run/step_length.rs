@@ -8,8 +8,8 @@ use crate::solve::modes::{Kind, modes};
 /// Modes that are asked for: the slowest, and one more for the iteration.
 const MODES: usize = 2;
 
-/// Tells a step that resolves no natural vibration of the state that is reached. Where something else moves the mechanism, a drive, a moving frame or a rigid motion, the step may be
-/// meant for that.
+/// Tells a step that resolves no natural vibration of the state that is reached. Where something else moves the
+/// mechanism, a drive, a moving frame or a rigid motion, the step may be meant for that.
 pub fn long_step(simulation: &Simulation) -> Option<String> {
     let document = simulation.document();
     let Steps::Fixed(step) = document.simulation.steps else { return None };

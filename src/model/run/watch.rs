@@ -50,7 +50,8 @@ impl Watch {
         Self { damps, mesh, ends: EndWatch::new(analysis), alternation, ..Self::default() }
     }
 
-    /// Looks at a new state and returns what the user should know of it; `table` has what is read off it, and `results` what was.
+    /// Looks at a new state and returns what the user should know of it; `table` has what is read off it, and `results`
+    /// what was.
     pub fn look(
         &mut self,
         system: &System,
@@ -114,7 +115,8 @@ impl Watch {
         ))
     }
 
-    /// Warns of energy that cannot come from anywhere, or that has gone nowhere (MECHANICS 7.4: accuracy is the step's).
+    /// Warns of energy that cannot come from anywhere, or that has gone nowhere (MECHANICS 7.4: accuracy is the
+    /// step's).
     fn energy(&mut self, alarm: Option<Alarm>) -> Option<String> {
         let Alarm { time, drift, largest } = alarm.filter(|_| !self.energy_warned)?;
         self.energy_warned = true;

@@ -349,7 +349,8 @@ const CAREFUL: u32 = 4;
 fn enough(curve: &Curve, spacing: Spacing, elements: usize, mut angle: f64) -> Option<usize> {
     let mut count = elements;
     for attempt in 0.. {
-        // A sharp bend keeps its angle while elements become shorter: counts that grow by one would take thousands of attempts.
+        // A sharp bend keeps its angle while elements become shorter: counts that grow by one would take thousands of
+        // attempts.
         let least = if attempt < CAREFUL { count + 1 } else { 2 * count };
         count = usize::max(least, (count as f64 * angle / LARGEST_BEND).ceil() as usize);
         if count > MOST_PROPOSED {

@@ -10,7 +10,8 @@ use crate::model::file::entries::material::Lateral;
 use crate::model::file::entries::section::{Flanged, Rigidities, SectionSpec, Shape, Walls};
 use crate::model::file::number::Number;
 
-/// The material of a beam; where its section has rigidities, one whose moduli are 1. None: a mistake, which is reported.
+/// The material of a beam; where its section has rigidities, one whose moduli are 1. None: a mistake, which is
+/// reported.
 pub fn material(document: &Document, beam: &BeamSpec) -> Option<Material> {
     let value = |number| document.value(number);
     let [damping, _] = damping(document, beam)?;

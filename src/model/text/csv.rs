@@ -1,4 +1,5 @@
-//! Tables of numbers as text: a header, and rows of numbers separated by commas. Every cell knows its place for messages.
+//! Tables of numbers as text: a header, and rows of numbers separated by commas. Every cell knows its place for
+//! messages.
 
 use std::ops::Range;
 

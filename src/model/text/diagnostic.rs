@@ -1,4 +1,5 @@
-//! What is wrong with a model file, and where: the offending text underlined in its line, what was expected, what to try.
+//! What is wrong with a model file, and where: the offending text underlined in its line, what was expected, what to
+//! try.
 
 pub use super::source::{Place, Source};
 use std::collections::BTreeMap;
@@ -63,7 +64,8 @@ impl Diagnostic {
         self.column
     }
 
-    /// The file with line and column, or that it is in the changes to the file: an override of the command line, of a program or of a host.
+    /// The file with line and column, or that it is in the changes to the file: an override of the command line, of a
+    /// program or of a host.
     pub fn location(&self) -> &str {
         &self.location
     }

@@ -1,6 +1,7 @@
 //! The folder of a model file, in which the files lie that it names.
 //!
-//! The lines of these files come back in messages and in packed FMUs. A model file from elsewhere must not reach the other files of the computer, so that files outside of the folder are refused unless the user allows them.
+//! The lines of these files come back in messages and in packed FMUs. A model file from elsewhere must not reach the
+//! other files of the computer, so that files outside of the folder are refused unless the user allows them.
 
 use super::disk;
 use std::path::{Component, Path, PathBuf};

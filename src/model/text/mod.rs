@@ -1,4 +1,5 @@
-//! The text of a model file: a tree of values, each with its place in the text, and messages that underline such places.
+//! The text of a model file: a tree of values, each with its place in the text, and messages that underline such
+//! places.
 
 pub mod csv;
 pub mod diagnostic;

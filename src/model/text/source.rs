@@ -1,4 +1,5 @@
-//! The texts that a model is made of, and places in them; of a text that was resolved from copies and includes, also where each part of it comes from.
+//! The texts that a model is made of, and places in them; of a text that was resolved from copies and includes, also
+//! where each part of it comes from.
 
 use std::sync::Arc;
 
@@ -87,7 +88,8 @@ impl Source {
         self.texts.len() - 1
     }
 
-    /// The same model with the text that this source was resolved to. `spans` are in the order of the text, outer ones before inner ones.
+    /// The same model with the text that this source was resolved to. `spans` are in the order of the text, outer ones
+    /// before inner ones.
     #[must_use]
     pub fn resolved(self, text: &str, spans: Vec<Span>, notes: Vec<String>, applied: Vec<bool>) -> Self {
         let mut texts = self.texts.clone();
@@ -139,7 +141,8 @@ impl Source {
         if place == self.end() {
             return as_written(source.end());
         }
-        // Spans are nested or apart: the last one that begins here or before and does not end before is the innermost one.
+        // Spans are nested or apart: the last one that begins here or before and does not end before is the innermost
+        // one.
         let before = origin.spans.partition_point(|span| span.range.start <= place.start);
         let Some(span) = origin.spans[..before].iter().rev().find(|span| span.range.end >= place.end) else {
             return as_written(Place::file(0..0));
@@ -181,7 +184,8 @@ impl Source {
         }
     }
 
-    /// The place of a part of a string value: `range` counts in the decoded string. The whole value where that cannot be said.
+    /// The place of a part of a string value: `range` counts in the decoded string. The whole value where that cannot
+    /// be said.
     pub fn inside(&self, place: Place, decoded: &str, range: std::ops::Range<usize>) -> Place {
         let raw = self.slice(place);
         let quotes = ["", "\"", "'", "\"\"\"", "'''"];

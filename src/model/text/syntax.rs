@@ -1,4 +1,5 @@
-//! What is probably meant where a file is not valid TOML: units behind numbers, decimal commas, expressions without quotes.
+//! What is probably meant where a file is not valid TOML: units behind numbers, decimal commas, expressions without
+//! quotes.
 
 use std::ops::Range;
 

@@ -1,5 +1,5 @@
-//! The mistakes that only the geometry shows: beams without length, axes without direction, joints beside nodes. A document without them
-//! is what [`Document::parse`] gives.
+//! The mistakes that only the geometry shows: beams without length, axes without direction, joints beside nodes. A
+//! document without them is what [`Document::parse`] gives.
 //!
 //! A number that is wrong itself is reported elsewhere: what hangs on it is passed over here.
 
@@ -37,7 +37,8 @@ use std::path::{Path, PathBuf};
 const SMALLEST_SINE: f64 = 0.017_452_4;
 /// How far axes may be from perpendicular (cosine) and from length 1: what is printed with six digits passes.
 const AXES_TOLERANCE: f64 = 1e-6;
-/// How far the largest principal moment of inertia may be above the sum of the others, relative: the round-off of a flat body.
+/// How far the largest principal moment of inertia may be above the sum of the others, relative: the round-off of a
+/// flat body.
 const INERTIA_TOLERANCE: f64 = 1e-9;
 
 impl Document {
@@ -49,7 +50,8 @@ impl Document {
         Self::parse_in(None, file_name, text, overrides)
     }
 
-    /// Reads a file as [`Self::parse`] does; paths in it are relative to `folder`, without which it includes no other file.
+    /// Reads a file as [`Self::parse`] does; paths in it are relative to `folder`, without which it includes no other
+    /// file.
     ///
     /// # Errors
     /// Everything that is wrong with the file, with included files and with the overrides.
@@ -70,7 +72,8 @@ impl Document {
         document.filter(|_| report.is_empty()).ok_or_else(|| report.finish())
     }
 
-    /// The other files that a file reads, included ones and tables, those too that are missing; where something is wrong with one of them, those up to it.
+    /// The other files that a file reads, included ones and tables, those too that are missing; where something is
+    /// wrong with one of them, those up to it.
     pub fn files_in(folder: Folder<'_>, file_name: &str, text: &str, overrides: &[(String, String)]) -> Vec<PathBuf> {
         let found = RefCell::new(Vec::new());
         let read = |name: &str, path: &Path| {
@@ -201,7 +204,8 @@ impl Checker<'_> {
         }
     }
 
-    /// Beam and fraction of its length; none for the ground, or after a mistake. What a point is on is looked at with the point.
+    /// Beam and fraction of its length; none for the ground, or after a mistake. What a point is on is looked at with
+    /// the point.
     fn fraction(&mut self, anchor: &Anchor) -> Option<(usize, f64)> {
         let Spot::Beam { beam, along } = anchor.spot else { return None };
         let document = self.document;

@@ -1,5 +1,7 @@
-//! Legal models that are hardly ever meant: parts that nothing holds, joints between places that do not meet, materials in other units than SI, stubby beams, angles in degrees, motions that
-//! begin with a blow, loads with a pole, steps almost as long as the motion or as an oscillation of what acts, too many switches, forces that do not do what they should, copies in one place.
+//! Legal models that are hardly ever meant: parts that nothing holds, joints between places that do not meet, materials
+//! in other units than SI, stubby beams, angles in degrees, motions that begin with a blow, loads with a pole, steps
+//! almost as long as the motion or as an oscillation of what acts, too many switches, forces that do not do what they
+//! should, copies in one place.
 
 mod angles;
 mod arms;
@@ -42,7 +44,8 @@ impl Note {
     }
 }
 
-/// What the author of a model should know about it: file, line, what is odd and what to do. Copies of one line give one note.
+/// What the author of a model should know about it: file, line, what is odd and what to do. Copies of one line give one
+/// note.
 pub fn notes(document: &Document) -> Vec<String> {
     let lines = Lines::of(document);
     let kinds = [
@@ -85,8 +88,8 @@ pub fn listed(names: &[&str]) -> String {
     }
 }
 
-/// Steps that a period needs. With ten, the midpoint of a step misses 5 % of an amplitude, `1 - cos(pi/10)`, and the conserving integrator lengthens the period of a
-/// vibration by 3 %, `(2 pi/10)²/12`.
+/// Steps that a period needs. With ten, the midpoint of a step misses 5 % of an amplitude, `1 - cos(pi/10)`, and the
+/// conserving integrator lengthens the period of a vibration by 3 %, `(2 pi/10)²/12`.
 pub const STEPS_PER_PERIOD: f64 = 10.0;
 
 /// The longest step for a period, s, rounded down to two digits, as a message proposes it.

@@ -1,4 +1,5 @@
-//! What is wrong with the beams that winches pay out: the material passes through the mesh, so that it must be the same everywhere and free between the ends.
+//! What is wrong with the beams that winches pay out: the material passes through the mesh, so that it must be the same
+//! everywhere and free between the ends.
 
 use super::Checker;
 use crate::mechanics::beam::design::Elements;

@@ -1,7 +1,7 @@
 //! What initial values are found from: which inputs and parameters a host must know first.
 //!
-//! A master that sees how little that is finds no loop between two units that start from their drawings. What is said here is never less than
-//! the truth, and may be more: an equilibrium is found from everything.
+//! A master that sees how little that is finds no loop between two units that start from their drawings. What is said
+//! here is never less than the truth, and may be more: an equilibrium is found from everything.
 
 use crate::model::builder;
 use crate::model::file::document::Document;
@@ -95,7 +95,8 @@ impl Givens {
         }
     }
 
-    /// What the initial value of a quantity at `target` is found from that somebody sees who moves: also from where that one is.
+    /// What the initial value of a quantity at `target` is found from that somebody sees who moves: also from where
+    /// that one is.
     pub fn of_seen(&self, quantity: Quantity, target: &Target) -> Found {
         match self.of(quantity, target) {
             Found::Drawing | Found::Frame(_) | Found::Frames if self.as_drawn => Found::Motion,

@@ -1,6 +1,7 @@
-//! The order of magnitude of inputs and results, FMI's `nominal`: what a host compares a value with. A mechanism as drawn gives a length `L`, its largest extent, and
-//! a mass `M`; with gravity `g` also a time, `T = √(L/g)`. A quantity of kg^a m^b s^c is then of the order `M^a L^b T^c`: its weight for
-//! forces, the speed of a fall from its height for velocities.
+//! The order of magnitude of inputs and results, FMI's `nominal`: what a host compares a value with. A mechanism as
+//! drawn gives a length `L`, its largest extent, and a mass `M`; with gravity `g` also a time, `T = √(L/g)`. A quantity
+//! of kg^a m^b s^c is then of the order `M^a L^b T^c`: its weight for forces, the speed of a fall from its height for
+//! velocities.
 
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Exponents, Variable};
@@ -29,8 +30,8 @@ impl Scales {
         Self { length: system.size, mass: system.mass, time }
     }
 
-    /// The order of magnitude of a variable; none where the mechanism says nothing: of parameters, counts, angles, strains and stresses, and without gravity of all
-    /// that has to do with time.
+    /// The order of magnitude of a variable; none where the mechanism says nothing: of parameters, counts, angles,
+    /// strains and stresses, and without gravity of all that has to do with time.
     pub fn nominal(&self, variable: &Variable) -> Option<f64> {
         let measured = matches!(variable.causality, Causality::Input | Causality::Output);
         let Value::Real(_) = variable.start else { return None };

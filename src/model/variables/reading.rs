@@ -23,7 +23,8 @@ pub struct Moment<'a> {
     pub state: &'a State,
     /// Accelerations and multipliers at the time of the state; needed where `Table::needs_response`.
     pub response: &'a Response,
-    /// The fibers of all sensors that bear most in a state nearby: their stresses are told, which have no kinks. Empty: the largest ones are.
+    /// The fibers of all sensors that bear most in a state nearby: their stresses are told, which have no kinks. Empty:
+    /// the largest ones are.
     pub fibers: &'a [Fiber],
 }
 

@@ -45,13 +45,16 @@ pub struct Table {
     pub variables: Vec<Variable>,
     /// Sources of the rows.
     pub sources: Vec<Source>,
-    /// What the results are made of: also those that the file does not ask for, because errors are compared with the energies.
+    /// What the results are made of: also those that the file does not ask for, because errors are compared with the
+    /// energies.
     pub measures: Vec<Measure>,
     /// Name and unit of each result.
     pub results: Vec<(String, String)>,
-    /// The measures of forces and moments that a moving observer sees, by their places in the list, with the sensor that the observer looks at.
+    /// The measures of forces and moments that a moving observer sees, by their places in the list, with the sensor
+    /// that the observer looks at.
     seen: Vec<(usize, usize)>,
-    /// The first spring of the system that belongs to a joint: those before it are the springs, friction and stops of the file.
+    /// The first spring of the system that belongs to a joint: those before it are the springs, friction and stops of
+    /// the file.
     first_of_joints: usize,
 }
 
@@ -214,7 +217,8 @@ impl Table {
         })
     }
 
-    /// Whether a result follows from positions and velocities: not from accelerations, multipliers or momenta, nor is it a count.
+    /// Whether a result follows from positions and velocities: not from accelerations, multipliers or momenta, nor is
+    /// it a count.
     pub fn follows_from_motion(&self, result: usize) -> bool {
         self.measure_of(result).is_some_and(|measure| match measure {
             Measure::Sensors(_, quantity) | Measure::Connection(Kind::Spring, _, quantity) => {

@@ -1,19 +1,23 @@
 //! From the differences of levels to the error of the first run.
 //!
-//! A run whose error is of order p differs by `(1 - 2^-p) e` from one with half the step or length, so that `e = d / (1 - 2^-p)`. With
-//! three levels p is observed, as `log2(d_coarse / d_fine)`; it should be 2 in the step, 4 in the element's length, and 2 where linear
-//! twist limits (1 for what is read off the torsion, which linear twist has constant in an element). Where it is far below 2, levels are too far apart for any formula, and the differences give a bound.
+//! A run whose error is of order p differs by `(1 - 2^-p) e` from one with half the step or length, so that
+//! `e = d / (1 - 2^-p)`. With three levels p is observed, as `log2(d_coarse / d_fine)`; it should be 2 in the step, 4
+//! in the element's length, and 2 where linear twist limits (1 for what is read off the torsion, which linear twist has
+//! constant in an element). Where it is far below 2, levels are too far apart for any formula, and the differences give
+//! a bound.
 
 use super::tally::{Pair, Tally};
 
-/// `1/(1 - 2^-p)` for order 2. For order 4, and for linear twist, whose error is gone in the finer mesh, it is on the safe side by a
-/// quarter and a third.
+/// `1/(1 - 2^-p)` for order 2. For order 4, and for linear twist, whose error is gone in the finer mesh, it is on the
+/// safe side by a quarter and a third.
 const RICHARDSON: f64 = 4.0 / 3.0;
-/// In place of it where the order is not reached: between 1, of oscillations whose phases no level resolves, and 2, of order 1.
+/// In place of it where the order is not reached: between 1, of oscillations whose phases no level resolves, and 2, of
+/// order 1.
 const BOUND: f64 = 1.5;
 /// Observed orders from here on are taken for 2 or more: an order between 1.5 and 2 changes an estimate by a sixth.
 const LEAST_ORDER: f64 = 1.5;
-/// Differences below this share of a column's size are round-off: results hold some 13 digits, and sums of many steps a few fewer.
+/// Differences below this share of a column's size are round-off: results hold some 13 digits, and sums of many steps a
+/// few fewer.
 const ROUND_OFF: f64 = 1e-12;
 
 /// What limits the accuracy of a column.
@@ -151,7 +155,8 @@ impl Estimate {
     }
 }
 
-/// The largest parts of a column's error over all rows, with the orders by which they fall: those observed, up to those of theory.
+/// The largest parts of a column's error over all rows, with the orders by which they fall: those observed, up to those
+/// of theory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parts {
     /// Of the step, and its order.
@@ -210,7 +215,8 @@ mod tests {
     use super::super::tally::Sample;
     use super::*;
 
-    /// What levels whose errors are those of the step and of the mesh, given by `step(h)` and `mesh(l)` times a signal, tell.
+    /// What levels whose errors are those of the step and of the mesh, given by `step(h)` and `mesh(l)` times a signal,
+    /// tell.
     fn tally(step: impl Fn(f64) -> f64, mesh: impl Fn(f64) -> f64) -> Tally {
         let mut tally = Tally::default();
         for k in 0..=200 {
@@ -236,8 +242,8 @@ mod tests {
         (0..=200).map(|k| 0.01 * f64::from(k)).map(|time| (time * (7.0 * time).cos()).abs()).fold(0.0, f64::max)
     }
 
-    /// Errors of the known orders are found to what Richardson's factor for order 2 adds to one of order 4, a quarter; the observed orders
-    /// are those put in.
+    /// Errors of the known orders are found to what Richardson's factor for order 2 adds to one of order 4, a quarter;
+    /// the observed orders are those put in.
     #[test]
     fn known_orders_give_the_error() {
         let only_step = Estimate::of("tip.velocity", &tally(|h| 1e-3 * h * h, |_| 0.0), 2.0);

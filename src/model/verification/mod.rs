@@ -1,7 +1,8 @@
 //! How far a run is from what shorter steps and finer meshes would give.
 //!
-//! The same file runs again on a few [`levels`], row by row beside the rows of the first run, so that nothing is kept but the largest
-//! differences of each column ([`tally`]). They make an [`estimate`] of its error, compared with a [`scale`], and a [`remedy`].
+//! The same file runs again on a few [`levels`], row by row beside the rows of the first run, so that nothing is kept
+//! but the largest differences of each column ([`tally`]). They make an [`estimate`] of its error, compared with a
+//! [`scale`], and a [`remedy`].
 
 pub mod estimate;
 pub mod remedy;
@@ -63,8 +64,8 @@ enum State {
 }
 
 impl Verification {
-    /// Prepares the runs beside that of `simulation`, which was made of the same file name, text and overrides. Those that cannot be built
-    /// are reported as failed.
+    /// Prepares the runs beside that of `simulation`, which was made of the same file name, text and overrides. Those
+    /// that cannot be built are reported as failed.
     pub fn new(simulation: &Simulation, file_name: &str, text: &str, overrides: &[Override]) -> Self {
         let document = simulation.document();
         let run = |level: Level| {
@@ -98,7 +99,8 @@ impl Verification {
         self.runs.len()
     }
 
-    /// Compares row `row` of the first run, with all its columns, at `time`, s. Rows come in their order; row 0 is the start.
+    /// Compares row `row` of the first run, with all its columns, at `time`, s. Rows come in their order; row 0 is the
+    /// start.
     pub fn compare(&mut self, row: u64, time: f64, own: &[f64]) {
         self.runs.iter_mut().for_each(|run| run.go_to(row, time, own, &self.rotations));
         let values = Level::ALL.map(|level| {

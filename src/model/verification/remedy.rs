@@ -2,8 +2,8 @@
 
 use super::estimate::Parts;
 
-/// Numbers of steps in place of one, and of elements in place of one, that are proposed: steps stay numbers of few digits, and nodes stay
-/// where joints need them. Beyond the last ones the system, or its model, should be another one.
+/// Numbers of steps in place of one, and of elements in place of one, that are proposed: steps stay numbers of few
+/// digits, and nodes stay where joints need them. Beyond the last ones the system, or its model, should be another one.
 const STEPS: [u32; 16] = [1, 2, 4, 5, 8, 10, 20, 25, 40, 50, 80, 100, 200, 400, 500, 1000];
 const ELEMENTS: [u32; 10] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32];
 
@@ -37,8 +37,8 @@ impl Demand {
     }
 }
 
-/// The setting with the least work, steps times elements, that meets all demands; among equals the one that changes least. None: not one
-/// of those that are proposed.
+/// The setting with the least work, steps times elements, that meets all demands; among equals the one that changes
+/// least. None: not one of those that are proposed.
 pub fn cheapest(demands: &[Demand]) -> Option<Setting> {
     let meshes = [false, true].into_iter().flat_map(|quadratic| ELEMENTS.map(|elements| (quadratic, elements)));
     let settings = meshes.filter_map(|(quadratic, elements)| {

@@ -42,8 +42,8 @@ pub struct Report {
     pub wanted: f64,
     /// A row a column, in the order of the results.
     pub rows: Vec<Row>,
-    /// What would bring all columns that count to the wanted accuracy, but for those that have no remedy of their own; none: no setting
-    /// that could be named. Empty: nothing is to be done.
+    /// What would bring all columns that count to the wanted accuracy, but for those that have no remedy of their own;
+    /// none: no setting that could be named. Empty: nothing is to be done.
     pub remedy: Option<Vec<String>>,
     /// Runs that failed, with the reason: those that estimates need.
     pub failures: Vec<(Level, String)>,

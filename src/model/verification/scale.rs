@@ -4,7 +4,8 @@ use super::tally::Tally;
 use crate::model::run::scale::{Measures, Span, counts_from_zero, family};
 use std::collections::BTreeMap;
 
-/// The scales of columns, each given with its unit: those of the quantities that they belong to; 0: the quantity is zero.
+/// The scales of columns, each given with its unit: those of the quantities that they belong to; 0: the quantity is
+/// zero.
 pub fn scales(columns: &[(&str, &str, &Tally)], measures: &Measures) -> Vec<f64> {
     let mut spans: BTreeMap<&str, Span> = BTreeMap::new();
     for (name, _, tally) in columns {
@@ -40,6 +41,7 @@ mod tests {
         energy: 100.0,
         gravity: 9.81,
         beams: Beams { of_unit_strain: NONE, relieved: NONE },
+        sticking: 0.0,
     };
 
     fn tally(values: [f64; 2]) -> Tally {

@@ -19,7 +19,8 @@ pub struct Sample {
     pub half_elements: Option<f64>,
 }
 
-/// The largest difference of two runs, and of the two before it in the row of levels; none: there are no two to compare.
+/// The largest difference of two runs, and of the two before it in the row of levels; none: there are no two to
+/// compare.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pair {
     /// From the coarsest level to the middle one.

@@ -42,7 +42,8 @@ pub enum LineKind {
     Spring,
     /// A face of a surface; the first one of it has its name.
     Face,
-    /// What is rigid between the place of a joint, or a point of the file, and the body, the frame or the place on a beam that it is tied to.
+    /// What is rigid between the place of a joint, or a point of the file, and the body, the frame or the place on a
+    /// beam that it is tied to.
     Arm,
 }
 

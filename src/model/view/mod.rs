@@ -1,6 +1,8 @@
-//! What a picture that moves shows of a simulation, as plain data: what never changes ([`Scene`]), and numbers at instants ([`Track`]s).
+//! What a picture that moves shows of a simulation, as plain data: what never changes ([`Scene`]), and numbers at
+//! instants ([`Track`]s).
 //!
-//! A [`Recording`] is made of a simulation as drawn, before its initial state is found, and looks at it whenever it is told to.
+//! A [`Recording`] is made of a simulation as drawn, before its initial state is found, and looks at it whenever it is
+//! told to.
 
 pub mod drawing;
 pub mod modes;

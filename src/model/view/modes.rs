@@ -141,8 +141,9 @@ impl Simulation {
     }
 }
 
-/// Largest share of the kinetic energy of a mode that one element may have, of beams with fewer than [`FEW`] elements and of others. The last element
-/// of a cantilever has 0.82 of it in the first mode with 3 elements, 0.60 with 5, 0.42 with 8; a mode of one element alone 0.74 to 1.
+/// Largest share of the kinetic energy of a mode that one element may have, of beams with fewer than [`FEW`] elements
+/// and of others. The last element of a cantilever has 0.82 of it in the first mode with 3 elements, 0.60 with 5, 0.42
+/// with 8; a mode of one element alone 0.74 to 1.
 const MOST_OF_FEW: f64 = 0.9;
 const MOST_OF_MANY: f64 = 0.65;
 const FEW: usize = 6;
@@ -184,8 +185,9 @@ fn warnings(system: &System, found: &modes::Modes, ratios: &[f64], moving: bool)
     warnings
 }
 
-/// Warns of the first mode that moves hardly anything but one element of a beam: the mesh is too coarse for it. Where the axial force vanishes, as
-/// at the free end of a hanging line, an element has a shape that costs nothing at its axial points: the mode is not one of the line.
+/// Warns of the first mode that moves hardly anything but one element of a beam: the mesh is too coarse for it. Where
+/// the axial force vanishes, as at the free end of a hanging line, an element has a shape that costs nothing at its
+/// axial points: the mode is not one of the line.
 fn lonely_elements(system: &System, modes: &[modes::Mode]) -> Option<String> {
     let highest = modes.last()?.eigenvalue;
     modes.iter().enumerate().filter(|(_, mode)| mode.kind == Kind::Vibration).find_map(|(number, mode)| {

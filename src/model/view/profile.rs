@@ -13,8 +13,8 @@ pub enum Profile {
         /// Along z.
         height: f64,
     },
-    /// Semi-axes along y and z; a circle has two equal ones. Also what stands for a section that is given by its integrals alone: the ellipse of the
-    /// same radii of gyration.
+    /// Semi-axes along y and z; a circle has two equal ones. Also what stands for a section that is given by its
+    /// integrals alone: the ellipse of the same radii of gyration.
     Ellipse {
         /// Along y.
         y: f64,

@@ -198,8 +198,8 @@ pub(super) fn tied(side: &Marker) -> Marker {
     if matches!(side, Marker::Ground(_)) { *side } else { side.bare() }
 }
 
-/// A quaternion and its negative are the same orientation: takes the one nearer to that of the instant before, so that what lies between two instants can be
-/// interpolated.
+/// A quaternion and its negative are the same orientation: takes the one nearer to that of the instant before, so that
+/// what lies between two instants can be interpolated.
 fn continue_turns(before: &[f64], values: &mut [f64]) {
     let last = before.len().checked_sub(values.len()).map_or(&[][..], |begin| &before[begin..]);
     for (turn, last) in values.as_chunks_mut().0.iter_mut().zip(last.as_chunks::<4>().0) {
@@ -217,7 +217,8 @@ fn product(a: &[f64; 4], b: &[f64; 4]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Of the two quaternions of an orientation the one nearer to that before is taken; the first instant has nothing before it.
+    /// Of the two quaternions of an orientation the one nearer to that before is taken; the first instant has nothing
+    /// before it.
     #[test]
     fn quaternions_go_on_from_instant_to_instant() {
         let mut values = vec![-1.0, 0.0, 0.0, 0.0, 0.6, 0.8, 0.0, 0.0];

@@ -28,7 +28,8 @@ pub struct Scene {
     pub is_dynamic: bool,
     /// Gravity, m/s².
     pub gravity: [f64; 3],
-    /// What all places are counted from, global, m: the middle of a system that is far from the global origin, so that single precision is enough for them.
+    /// What all places are counted from, global, m: the middle of a system that is far from the global origin, so that
+    /// single precision is enough for them.
     pub origin: [f64; 3],
     /// Largest extent as drawn, m.
     pub size: f64,

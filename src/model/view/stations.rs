@@ -60,8 +60,8 @@ pub fn steps(system: &System) -> usize {
 }
 
 impl Stations {
-    /// Of a beam, in the configuration `c` as drawn: all nodes, and places in each element, `steps` from node to node. At a corner, where two nodes meet,
-    /// there is a station on each side.
+    /// Of a beam, in the configuration `c` as drawn: all nodes, and places in each element, `steps` from node to node.
+    /// At a corner, where two nodes meet, there is a station on each side.
     pub fn new(system: &System, c: &Configuration, beam: usize, steps: usize) -> Self {
         let own = &system.beams[beam];
         let mut stations = Self { fractions: Vec::new(), nodes: Vec::new(), sensors: Vec::new() };
@@ -93,7 +93,8 @@ impl Stations {
         self.sensors.len()
     }
 
-    /// Places (m, from the system's origin) and orientations (quaternions `w x y z`) as drawn, a station after the other.
+    /// Places (m, from the system's origin) and orientations (quaternions `w x y z`) as drawn, a station after the
+    /// other.
     pub fn drawn(&self) -> impl Iterator<Item = ([f64; 3], [f64; 4])> {
         let pose = |sensor: &Sensor| (sensor.drawn.place.into(), quaternion(&sensor.drawn.axes));
         self.sensors.iter().map(pose).collect::<Vec<_>>().into_iter()
@@ -109,7 +110,8 @@ impl Stations {
         }
     }
 
-    /// What [`RESULTS`] names, of each station, at the velocities `velocity` of the coordinates. Stress is 0 where the outline is not known.
+    /// What [`RESULTS`] names, of each station, at the velocities `velocity` of the coordinates. Stress is 0 where the
+    /// outline is not known.
     pub fn results<'a>(
         &'a self,
         system: &'a System,

@@ -1,13 +1,15 @@
-//! The constrained generalized-alpha method (Arnold, Brüls: Convergence of the generalized-α scheme for constrained mechanical
-//! systems, Multibody System Dynamics 18, 2007), which damps what the step does not resolve (MECHANICS 7.2, 7.3).
+//! The constrained generalized-alpha method (Arnold, Brüls: Convergence of the generalized-α scheme for constrained
+//! mechanical systems, Multibody System Dynamics 18, 2007), which damps what the step does not resolve (MECHANICS 7.2,
+//! 7.3).
 //!
-//! A step from `q_n, v_n, a_n, q''_n` solves `M q'' + f + C + Gᵀ λ = 0` and `g(q) = 0` at its end, `f = dU/dq − F`, where
-//! `q = q_n + h v_n + h² [(1/2 − β) a_n + β a]`, `v = v_n + h [(1 − γ) a_n + γ a]`, `(1 − α_m) a + α_m a_n = (1 − α_f) q'' + α_f q''_n`,
-//! for `Dq = q − q_n` and `Λ = λ/β'`, `β' = ∂q''/∂q`: Newton's matrix `[M + K/β' + …, Gᵀ; G, 0]` has entries of like sizes.
+//! A step from `q_n, v_n, a_n, q''_n` solves `M q'' + f + C + Gᵀ λ = 0` and `g(q) = 0` at its end, `f = dU/dq − F`,
+//! where `q = q_n + h v_n + h² [(1/2 − β) a_n + β a]`, `v = v_n + h [(1 − γ) a_n + γ a]`,
+//! `(1 − α_m) a + α_m a_n = (1 − α_f) q'' + α_f q''_n`, for `Dq = q − q_n` and `Λ = λ/β'`, `β' = ∂q''/∂q`: Newton's
+//! matrix `[M + K/β' + …, Gᵀ; G, 0]` has entries of like sizes.
 //!
-//! The rate of `theta` is the spin, a quasi-velocity that charts do not change (7.2): so velocities and accelerations go on as they
-//! are when references are carried. It differs from the derivative of the chart's angle by a term of second order in the step. The
-//! forces are those of the start's chart; `C` of gyroscopic.rs makes up for it.
+//! The rate of `theta` is the spin, a quasi-velocity that charts do not change (7.2): so velocities and accelerations
+//! go on as they are when references are carried. It differs from the derivative of the chart's angle by a term of
+//! second order in the step. The forces are those of the start's chart; `C` of gyroscopic.rs makes up for it.
 
 use super::power::{begin_balance, driven_work, shares};
 use super::start::Dynamics;
@@ -32,7 +34,8 @@ use crate::solve::step::linearized::{Linearized, Span};
 use crate::solve::step::response::{Responder, Response};
 use crate::solve::step::switching;
 
-/// Largest spectral radius for systems with joints: with 1 a pendulum fails within 10 s, with this one the forces stay smooth.
+/// Largest spectral radius for systems with joints: with 1 a pendulum fails within 10 s, with this one the forces stay
+/// smooth.
 const LARGEST_RADIUS: f64 = 0.99;
 
 /// Integrator and its scratch memory; nothing in it outlives a step.
@@ -60,7 +63,8 @@ struct Weights {
 }
 
 impl Weights {
-    /// Those whose amplification of infinitely fast vibrations is `spectral_radius`, and the least of slow ones (Chung, Hulbert).
+    /// Those whose amplification of infinitely fast vibrations is `spectral_radius`, and the least of slow ones (Chung,
+    /// Hulbert).
     fn new(spectral_radius: f64) -> Self {
         let alpha_m = (2.0 * spectral_radius - 1.0) / (spectral_radius + 1.0);
         let alpha_f = spectral_radius / (spectral_radius + 1.0);
@@ -95,8 +99,9 @@ struct Scratch {
 }
 
 impl GeneralizedAlpha {
-    /// For `system`; the amplitude of a vibration far too fast for the step is multiplied by `spectral_radius` (0 to 1) a step. With 1,
-    /// multipliers are not damped and grow: systems with joints need less. Newton ends when its correction is below `tolerance`.
+    /// For `system`; the amplitude of a vibration far too fast for the step is multiplied by `spectral_radius` (0 to 1)
+    /// a step. With 1, multipliers are not damped and grow: systems with joints need less. Newton ends when its
+    /// correction is below `tolerance`.
     pub fn new(system: &System, spectral_radius: f64, tolerance: f64) -> Self {
         assert!((0.0..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
@@ -125,8 +130,9 @@ impl GeneralizedAlpha {
         }
     }
 
-    /// Starts anew from `state`, the end of a step of `step` s, if loads or drives jump there: the accelerations before it are not those behind it, and what the method carries on would spread the jump over many steps. Accelerations that are not finite behind it
-    /// are left to the next step to refuse.
+    /// Starts anew from `state`, the end of a step of `step` s, if loads or drives jump there: the accelerations before
+    /// it are not those behind it, and what the method carries on would spread the jump over many steps. Accelerations
+    /// that are not finite behind it are left to the next step to refuse.
     fn restart_at_break(&mut self, system: &System, state: &mut State, step: f64) {
         if system.is_sudden(state.time, step) {
             self.restart(system, state);
@@ -229,7 +235,8 @@ impl GeneralizedAlpha {
 }
 
 impl Scratch {
-    /// What does not change in the iteration. Where a load goes over to another piece at the end, the step is still under the one before.
+    /// What does not change in the iteration. Where a load goes over to another piece at the end, the step is still
+    /// under the one before.
     fn prepare(&mut self, system: &System, state: &State, step: f64, end: f64) {
         let under = if system.is_sudden(end, step) { (end - AT_BREAK * step).next_down() } else { end };
         system.excite(under, &state.targets, &mut self.excitation);
@@ -321,7 +328,8 @@ impl Scratch {
         let along = driven_work(system, &self.gradients, multipliers, [&state.q, &self.q], &mut self.forces);
         let before = system.driven_work(&self.gradients, &state.multipliers, &state.velocity);
         balance.add_doubt(0.5 * step * (before + driving) - along);
-        // Where a rate changes within a step, the powers at its ends are not those between: the smaller one is surely taken.
+        // Where a rate changes within a step, the powers at its ends are not those between: the smaller one is surely
+        // taken.
         let taken = step * balance.power[1].min(power[1]);
         balance.account(end, given - taken, energies, system.energy_noise(), Losses::NumericalAtInstants);
         if let (Some(account), Some(shares)) = (&mut balance.account, shares) {

@@ -9,7 +9,8 @@ use crate::mechanics::state::energy_balance::Energies;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 
-/// Power by its origin at the instant `c`, W; drives but for those of springs give `driving`, and dampers take `damping`.
+/// Power by its origin at the instant `c`, W; drives but for those of springs give `driving`, and dampers take
+/// `damping`.
 pub(super) fn shares(
     system: &System,
     c: &Configuration,
@@ -21,7 +22,8 @@ pub(super) fn shares(
     Work { loads, actuators, drives: driving + system.power_of_frames(c, velocity), dissipated: damping }
 }
 
-/// The energies (J) and the power of what acts from outside (W), also by its origin, at `state`, whose last step is not known or was before a break.
+/// The energies (J) and the power of what acts from outside (W), also by its origin, at `state`, whose last step is not
+/// known or was before a break.
 pub(super) fn begin_balance(system: &System, state: &State) -> (Energies, [f64; 2], Work) {
     let (mut cache, mut excitation, mut gradients) = (FrameCache::default(), Excitation::default(), Vec::new());
     let configuration = cache.of(system, state);
@@ -35,8 +37,9 @@ pub(super) fn begin_balance(system: &System, state: &State) -> (Energies, [f64; 
     (energies, [acting + driving, damping], shares)
 }
 
-/// The work of drives along the straight way of a step, J: what they prescribe. Velocities at its ends are not, after a jump: they ring with the multipliers for many steps. The multipliers of both ends come with a factor
-/// each, the coordinates as they are; `way` is scratch memory.
+/// The work of drives along the straight way of a step, J: what they prescribe. Velocities at its ends are not, after a
+/// jump: they ring with the multipliers for many steps. The multipliers of both ends come with a factor each, the
+/// coordinates as they are; `way` is scratch memory.
 pub(super) fn driven_work(
     system: &System,
     gradients: &[JointGradient],

@@ -16,14 +16,17 @@ use crate::solve::newton::kkt::Kkt;
 use crate::solve::statics::Statics;
 use crate::solve::step::projection::Projection;
 
-/// Largest gap of a joint as drawn, in m per m of the system's size (at least 1 m) or as the cosine of an angle: rounding of the file's numbers.
+/// Largest gap of a joint as drawn, in m per m of the system's size (at least 1 m) or as the cosine of an angle:
+/// rounding of the file's numbers.
 const DRAWN_GAP: f64 = 1e-9;
 /// Velocities whose change has less than this share of their kinetic energy are taken as given.
 const CHANGED: f64 = 1e-12;
 
-/// A damper that stops what it holds within less than this share of a step is not resolved by it: the step takes its rate at the end, not in the middle.
+/// A damper that stops what it holds within less than this share of a step is not resolved by it: the step takes its
+/// rate at the end, not in the middle.
 const UNRESOLVED: f64 = 0.5;
-/// A damper that begins to move by less than this share of the mechanism's size in a step, or by less than this angle in rad, is at rest.
+/// A damper that begins to move by less than this share of the mechanism's size in a step, or by less than this angle
+/// in rad, is at rest.
 const MOVED: f64 = 1e-6;
 
 /// Increments of the static path that leads to the initial equilibrium.
@@ -83,7 +86,8 @@ fn first_gap<'s>(system: &'s System, state: &State) -> Option<(&'s Joint, f64)> 
     None
 }
 
-/// Checks that the winches of `state`, the start of a motion, have paid out what they had in the state `from` that it begins with.
+/// Checks that the winches of `state`, the start of a motion, have paid out what they had in the state `from` that it
+/// begins with.
 ///
 /// # Errors
 /// One has not.
@@ -119,7 +123,8 @@ pub fn check_drives(system: &System, state: &State) -> Result<(), Error> {
     Ok(())
 }
 
-/// Moves the frames from where they are drawn to where they begin. Springs and bushings may be displaced there, and free coordinates of joints too.
+/// Moves the frames from where they are drawn to where they begin. Springs and bushings may be displaced there, and
+/// free coordinates of joints too.
 ///
 /// # Errors
 /// A joint does not hold there.
@@ -152,9 +157,10 @@ pub fn move_frames(system: &System, state: &mut State) -> Result<(), Error> {
     })
 }
 
-/// Finds the equilibrium at `start`, s, from the system as drawn: drives stand still at their values of that time. Where the time of `state` is an earlier one, by a
-/// path of equilibria from there to the start, each of the instant just before its time: what jumps or switches at the start itself does so after the last one.
-/// On the way a drive whose rate the host gives stands still. Velocities are zero then. Returns what the user should know of it.
+/// Finds the equilibrium at `start`, s, from the system as drawn: drives stand still at their values of that time.
+/// Where the time of `state` is an earlier one, by a path of equilibria from there to the start, each of the instant
+/// just before its time: what jumps or switches at the start itself does so after the last one. On the way a drive
+/// whose rate the host gives stands still. Velocities are zero then. Returns what the user should know of it.
 ///
 /// # Errors
 /// There is none, or a part of the system can move freely.
@@ -173,7 +179,8 @@ pub fn find_equilibrium(system: &System, state: &mut State, start: f64, toleranc
     Ok(statics.take_remarks())
 }
 
-/// Takes `state` from its equilibrium along a path to the one just before `start`, s, and to what is engaged at `start`.
+/// Takes `state` from its equilibrium along a path to the one just before `start`, s, and to what is engaged at
+/// `start`.
 fn follow_path(system: &System, statics: &mut Statics, state: &mut State, start: f64) -> Result<(), Error> {
     let wanted = state.targets.clone();
     state.targets.straight = true;
@@ -200,7 +207,8 @@ fn before(time: f64) -> f64 {
     if time == 0.0 { -f64::MIN_POSITIVE } else { time.next_down() }
 }
 
-/// The dampers that stop what they hold within far less than a step of `step` s, and that begin to move: each as a sentence.
+/// The dampers that stop what they hold within far less than a step of `step` s, and that begin to move: each as a
+/// sentence.
 pub fn unresolved_dampers(system: &System, state: &State, step: f64) -> Vec<String> {
     let mut cache = FrameCache::default();
     let configuration = cache.of(system, state);
@@ -221,8 +229,8 @@ pub fn unresolved_dampers(system: &System, state: &State, step: f64) -> Vec<Stri
     told.collect()
 }
 
-/// The first combination of what switches engage later, at their breaks, in which constraints are redundant where the system is drawn: as a sentence. Where a host
-/// switches, nothing is known.
+/// The first combination of what switches engage later, at their breaks, in which constraints are redundant where the
+/// system is drawn: as a sentence. Where a host switches, nothing is known.
 pub fn redundant_later(system: &System, integrator: &mut impl Dynamics, state: &State) -> Option<String> {
     let mut seen: Vec<Vec<bool>> = vec![system.holds_at(state.time, &state.targets).collect()];
     let later = system.breaks.iter().copied().filter(|time| *time > state.time);
@@ -244,9 +252,9 @@ pub fn redundant_later(system: &System, integrator: &mut impl Dynamics, state: &
     None
 }
 
-/// Sets momenta and velocities at the start: the velocities nearest to the given ones, in the metric of the kinetic energy, that
-/// the constraints, drives and moving frames allow (MECHANICS 6). Returns the kinetic energy of the change as a share of the
-/// given one; 0 when nothing was given or changed.
+/// Sets momenta and velocities at the start: the velocities nearest to the given ones, in the metric of the kinetic
+/// energy, that the constraints, drives and moving frames allow (MECHANICS 6). Returns the kinetic energy of the change
+/// as a share of the given one; 0 when nothing was given or changed.
 ///
 /// # Errors
 /// The constraints are redundant: the error names a joint.

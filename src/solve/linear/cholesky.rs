@@ -1,5 +1,6 @@
-//! `A = L Lᵀ` of a symmetric positive definite matrix within its profile: of each column what lies from the diagonal to the last row that it or a column
-//! before it reaches, which is where `L` is not zero. A band and a full matrix are profiles.
+//! `A = L Lᵀ` of a symmetric positive definite matrix within its profile: of each column what lies from the diagonal to
+//! the last row that it or a column before it reaches, which is where `L` is not zero. A band and a full matrix are
+//! profiles.
 
 use super::Singular;
 
@@ -29,7 +30,8 @@ impl Cholesky {
         Self { values: vec![0.0; starts.last().copied().unwrap_or_default()], starts }
     }
 
-    /// As [`Self::new`]; none where the mean square of the lengths of columns, to which the work of a factorization is proportional, is above `most`.
+    /// As [`Self::new`]; none where the mean square of the lengths of columns, to which the work of a factorization is
+    /// proportional, is above `most`.
     pub fn within(lasts: impl Iterator<Item = usize> + Clone, most: usize) -> Option<Self> {
         let (mut last, mut work, mut allowed) = (0, 0.0, 0.0);
         for (column, own) in lasts.clone().enumerate() {

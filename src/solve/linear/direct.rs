@@ -1,5 +1,5 @@
-//! The direct solver of a constrained system: front by front (`multifrontal`), and a general sparse LU (`sparse_lu`) where that gives no accurate
-//! solution, as without the mass of a body or with a floating system.
+//! The direct solver of a constrained system: front by front (`multifrontal`), and a general sparse LU (`sparse_lu`)
+//! where that gives no accurate solution, as without the mass of a body or with a floating system.
 
 use super::elimination_tree::Unknowns;
 use super::multifrontal::Multifrontal;
@@ -31,7 +31,8 @@ impl DirectSolver {
         Self { units, fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }
     }
 
-    /// Takes the values of `blocks` (of the same layout as at the start) and factorizes. They must not change as long as the factorization is used.
+    /// Takes the values of `blocks` (of the same layout as at the start) and factorizes. They must not change as long
+    /// as the factorization is used.
     ///
     /// # Errors
     /// The matrix is singular, or a value not finite.
@@ -42,17 +43,20 @@ impl DirectSolver {
         if self.is_frontal { Ok(()) } else { self.fall_back(blocks) }
     }
 
-    /// Sets the scaling of all unknowns by the values of `blocks`, without a factorization, and forgets the last one. Returns whether the scaling is known.
+    /// Sets the scaling of all unknowns by the values of `blocks`, without a factorization, and forgets the last one.
+    /// Returns whether the scaling is known.
     pub fn set_scale(&mut self, blocks: &Blocks) -> bool {
         (self.is_frontal, self.is_general) = (false, false);
         let Self { units, fronts, .. } = self;
         fronts.as_mut().map(|fronts| fronts.set_scale(units, blocks)).is_some()
     }
 
-    /// Solves for the right side `vector`, in place, refined until the backward error is at round-off. `blocks` are those that were factorized.
+    /// Solves for the right side `vector`, in place, refined until the backward error is at round-off. `blocks` are
+    /// those that were factorized.
     ///
     /// # Errors
-    /// The solution is not finite or not accurate: the matrix is singular to working precision. `vector` is then spoilt.
+    /// The solution is not finite or not accurate: the matrix is singular to working precision. `vector` is then
+    /// spoilt.
     pub fn solve(&mut self, blocks: &Blocks, vector: &mut [f64]) -> Result<(), Singular> {
         if !self.is_general {
             if self.is_frontal
@@ -66,7 +70,8 @@ impl DirectSolver {
         self.general.as_mut().ok_or(Singular)?.solve(vector)
     }
 
-    /// As [`Self::solve`], for a correction that is far smaller than what it corrects: with the factors as they are, which a solution to round-off has shown to do.
+    /// As [`Self::solve`], for a correction that is far smaller than what it corrects: with the factors as they are,
+    /// which a solution to round-off has shown to do.
     ///
     /// # Errors
     /// As [`Self::solve`].
@@ -122,8 +127,9 @@ impl DirectSolver {
         }
     }
 
-    /// Whether the factorized matrix, `blocks`, is regular to working precision. That it is the fronts may show; that it is not takes pivots sought
-    /// among all rows. The answer is of the matrix alone, whatever has been solved with it.
+    /// Whether the factorized matrix, `blocks`, is regular to working precision. That it is the fronts may show; that
+    /// it is not takes pivots sought among all rows. The answer is of the matrix alone, whatever has been solved with
+    /// it.
     pub fn regularity(&mut self, blocks: &Blocks) -> Regularity {
         if self.is_frontal && self.fronts.as_mut().is_some_and(|fronts| fronts.is_surely_regular(blocks)) {
             return Regularity::Regular;
@@ -134,7 +140,8 @@ impl DirectSolver {
         self.general.as_mut().map_or(Regularity::Unknown, |general| general.regularity())
     }
 
-    /// Sign of the determinant of the factorized matrix; 0: not known, as the general solver keeps its exchanges to itself.
+    /// Sign of the determinant of the factorized matrix; 0: not known, as the general solver keeps its exchanges to
+    /// itself.
     pub fn sign(&self) -> i8 {
         self.fronts.as_ref().filter(|_| self.is_frontal).map_or(0, Multifrontal::sign)
     }

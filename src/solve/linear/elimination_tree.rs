@@ -1,9 +1,12 @@
-//! In which order a constrained system is eliminated, and where its numbers go then: the fronts of the multifrontal method.
+//! In which order a constrained system is eliminated, and where its numbers go then: the fronts of the multifrontal
+//! method.
 //!
-//! Unknowns that blocks never part make a group: the coordinates of a node or of a body, the multipliers of a joint. A front eliminates one
-//! group of coordinates and multipliers that act on it, each in the first front that has coordinates left for it: what only joints hold has no
-//! pivots without them. What is left of a front is added into its parent, the front of the first unknown of its border. Without masses bodies come last:
-//! they have pivots only when what they are joined to is gone. With masses they may come early too, which keeps fronts small where many hang on one node.
+//! Unknowns that blocks never part make a group: the coordinates of a node or of a body, the multipliers of a joint. A
+//! front eliminates one group of coordinates and multipliers that act on it, each in the first front that has
+//! coordinates left for it: what only joints hold has no pivots without them. What is left of a front is added into its
+//! parent, the front of the first unknown of its border. Without masses bodies come last: they have pivots only when
+//! what they are joined to is gone. With masses they may come early too, which keeps fronts small where many hang on
+//! one node.
 
 use super::front::{Front, Indices, Piece, Run, short};
 use super::frontal_matrix::Shape;
@@ -11,7 +14,8 @@ use super::ordering::minimum_degree;
 use crate::math::blocks::Blocks;
 use std::ops::Range;
 
-/// As how many groups of coordinates a body counts in the search for an order: more than the neighbors of a node of a beam.
+/// As how many groups of coordinates a body counts in the search for an order: more than the neighbors of a node of a
+/// beam.
 const BODY_WEIGHT: usize = 4;
 
 /// What the unknowns of a constrained system are, in their order.
@@ -42,7 +46,8 @@ impl Unknowns {
 /// Conditions that hold a body in all its motions.
 const WELD: usize = 6;
 
-/// Longest column of a front: beams, joints and bodies have some tens, hundreds of bodies on a node without their masses more than this.
+/// Longest column of a front: beams, joints and bodies have some tens, hundreds of bodies on a node without their
+/// masses more than this.
 const LONGEST: usize = 256;
 
 /// All fronts, in the order of their elimination; children come before parents.
@@ -126,8 +131,8 @@ impl Groups {
     }
 }
 
-/// The neighbors of each of the first `coordinates` groups among them: those that share a block with it, and those that a multiplier ties to it. None where a multiplier
-/// acts on nothing, or on another multiplier.
+/// The neighbors of each of the first `coordinates` groups among them: those that share a block with it, and those that
+/// a multiplier ties to it. None where a multiplier acts on nothing, or on another multiplier.
 fn coordinate_graph(links: &[Vec<usize>], coordinates: usize) -> Option<Vec<Vec<usize>>> {
     let (of_coordinates, of_multipliers) = links.split_at(coordinates);
     let among = |list: &Vec<usize>| list.iter().copied().filter(|other| *other < coordinates).collect();
@@ -144,8 +149,8 @@ fn coordinate_graph(links: &[Vec<usize>], coordinates: usize) -> Option<Vec<Vec<
     Some(graph)
 }
 
-/// Lets each of the groups from `bodies` on count for many, by vertices with the same neighbors: the groups tied to a body stay in the borders up to it, so that it should
-/// come late.
+/// Lets each of the groups from `bodies` on count for many, by vertices with the same neighbors: the groups tied to a
+/// body stay in the borders up to it, so that it should come late.
 fn weigh_bodies(graph: &mut Vec<Vec<usize>>, bodies: usize) {
     for body in bodies..graph.len() {
         for _ in 1..BODY_WEIGHT {
@@ -166,8 +171,9 @@ fn sort_each(lists: &mut [Vec<usize>]) {
 }
 
 impl Fronts {
-    /// For the pattern of `blocks`. None where there is no such order, since a multiplier acts on nothing, where a front becomes so long that a
-    /// general solver, with its larger dense parts, is faster, or where 32 bits are not enough for an index.
+    /// For the pattern of `blocks`. None where there is no such order, since a multiplier acts on nothing, where a
+    /// front becomes so long that a general solver, with its larger dense parts, is faster, or where 32 bits are not
+    /// enough for an index.
     pub fn new(kinds: Unknowns, blocks: &Blocks) -> Option<Self> {
         let groups = Groups::new(kinds.count(), blocks);
         let multipliers = groups.starts.partition_point(|start| *start < kinds.coordinates())..groups.count();
@@ -340,8 +346,8 @@ impl<'a> Order<'a> {
             let rows = groups.unknowns(multiplier).len();
             let mut tied: Vec<usize> = links[multiplier].iter().map(|group| front_of[*group]).collect();
             tied.sort_unstable();
-            // One that keeps a coordinate to itself. With as many conditions as coordinates there may be no pivot: a rod between two balls turns about
-            // itself all the same. Only a weld is sure to hold all.
+            // One that keeps a coordinate to itself. With as many conditions as coordinates there may be no pivot: a
+            // rod between two balls turns about itself all the same. Only a weld is sure to hold all.
             let roomy = |least: usize| tied.iter().find(|front| rooms[**front] >= least);
             let exact = roomy(rows).filter(|_| rows == WELD);
             let host = roomy(rows + 1).or(exact).or(tied.last()).copied().unwrap_or_default();

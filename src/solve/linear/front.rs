@@ -1,4 +1,5 @@
-//! A front of the multifrontal method as numbers: which unknowns it eliminates, and where what belongs to it is. The elimination tree makes them (elimination_tree.rs).
+//! A front of the multifrontal method as numbers: which unknowns it eliminates, and where what belongs to it is. The
+//! elimination tree makes them (elimination_tree.rs).
 
 use super::frontal_matrix::Shape;
 use std::ops::Range;

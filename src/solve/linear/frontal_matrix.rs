@@ -1,8 +1,9 @@
 //! The dense matrix of one front: its pivots eliminated, and solved with.
 //!
-//! Columns lie one after the other: first the rows of the pivots, then those of the border, filled up with zeros to whole lanes. Eliminated, a
-//! column of a pivot holds `L` below its diagonal, the inverse of the pivot on it, `U` above; a column of the border `U`, and what is left for the
-//! parent. Columns of pivots stay; of those of the border, `U` is kept in columns of its own.
+//! Columns lie one after the other: first the rows of the pivots, then those of the border, filled up with zeros to
+//! whole lanes. Eliminated, a column of a pivot holds `L` below its diagonal, the inverse of the pivot on it, `U`
+//! above; a column of the border `U`, and what is left for the parent. Columns of pivots stay; of those of the border,
+//! `U` is kept in columns of its own.
 
 use super::Singular;
 
@@ -48,8 +49,9 @@ impl Shape {
     }
 }
 
-/// Eliminates the pivots of a front, whose columns are `own`, those of the border `right`, with partial pivoting among them: the row whose entry, times its
-/// weight in `weights`, is largest. `rows` get the row of each pivot at the time of its choice.
+/// Eliminates the pivots of a front, whose columns are `own`, those of the border `right`, with partial pivoting among
+/// them: the row whose entry, times its weight in `weights`, is largest. `rows` get the row of each pivot at the time
+/// of its choice.
 ///
 /// # Errors
 /// A pivot is zero or not finite.
@@ -91,7 +93,8 @@ fn eliminate_sized<const PIVOTS: usize>(
         if best != number {
             weights.swap(number, best);
             column.swap(number, best);
-            // In later columns too, at once: whole lanes of what has just been written would have to wait when they are read.
+            // In later columns too, at once: whole lanes of what has just been written would have to wait when they are
+            // read.
             for columns in [before, later, &mut *right] {
                 columns.chunks_exact_mut(stride).for_each(|column| column.swap(number, best));
             }
@@ -242,7 +245,8 @@ fn reduce<const PIVOTS: usize>(pivots: usize, before: &[f64], column: &mut [f64]
     }
 }
 
-/// Solves with `L`: `column` has the right sides of the pivots, then zeros; afterwards what they become, and what they leave on the border.
+/// Solves with `L`: `column` has the right sides of the pivots, then zeros; afterwards what they become, and what they
+/// leave on the border.
 pub fn solve_lower(shape: Shape, factors: &[f64], rows: &[u16], column: &mut [f64]) {
     for (number, row) in rows.iter().map(|row| usize::from(*row)).enumerate() {
         if row != number {
@@ -255,7 +259,8 @@ pub fn solve_lower(shape: Shape, factors: &[f64], rows: &[u16], column: &mut [f6
     }
 }
 
-/// Solves with `U`: `column` has the right sides of the pivots, then the solution on the border; afterwards the whole solution.
+/// Solves with `U`: `column` has the right sides of the pivots, then the solution on the border; afterwards the whole
+/// solution.
 pub fn solve_upper(shape: Shape, factors: &[f64], column: &mut [f64]) {
     match shape.pivots {
         7 => solve_upper_sized::<7>(shape, factors, column),
@@ -283,7 +288,8 @@ fn solve_upper_sized<const PIVOTS: usize>(shape: Shape, factors: &[f64], column:
     }
 }
 
-/// Solves with the transpose of `U`: `column` has the right sides of the pivots, then zeros; afterwards what they become, and what they leave on the border.
+/// Solves with the transpose of `U`: `column` has the right sides of the pivots, then zeros; afterwards what they
+/// become, and what they leave on the border.
 pub fn solve_upper_transposed(shape: Shape, factors: &[f64], column: &mut [f64]) {
     let (own, right) = factors.split_at(shape.own());
     let (column, border) = column.split_at_mut(shape.pivots);
@@ -296,7 +302,8 @@ pub fn solve_upper_transposed(shape: Shape, factors: &[f64], column: &mut [f64])
     }
 }
 
-/// Solves with the transpose of `L`: `column` has the right sides of the pivots, then the solution on the border; afterwards the whole solution.
+/// Solves with the transpose of `L`: `column` has the right sides of the pivots, then the solution on the border;
+/// afterwards the whole solution.
 pub fn solve_lower_transposed(shape: Shape, factors: &[f64], rows: &[u16], column: &mut [f64]) {
     for number in (0..shape.pivots).rev() {
         let lower = &factors[number * shape.stride()..][..column.len()];

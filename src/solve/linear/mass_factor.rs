@@ -1,7 +1,8 @@
 //! The constant mass matrix, factorized once for a system: `M⁻¹`.
 //!
-//! It falls apart into chains of unknowns that have nothing to do with each other: along a beam the coordinates along x, those along y, those along z, and the
-//! angles; each coordinate of a body. The three axes have the same masses and share a factor. In the order of the nodes a chain has entries beside its diagonal only.
+//! It falls apart into chains of unknowns that have nothing to do with each other: along a beam the coordinates along
+//! x, those along y, those along z, and the angles; each coordinate of a body. The three axes have the same masses and
+//! share a factor. In the order of the nodes a chain has entries beside its diagonal only.
 
 use super::Singular;
 use super::cholesky::Cholesky;
@@ -50,7 +51,8 @@ impl MassFactor {
     /// # Errors
     /// Something has no mass.
     pub fn new(coordinates: usize, blocks: &Blocks) -> Result<Self, Singular> {
-        // Of each unknown one of its chain that does not come later, at last the first one; the last unknown in its column.
+        // Of each unknown one of its chain that does not come later, at last the first one; the last unknown in its
+        // column.
         let mut chain: Vec<usize> = (0..coordinates).collect();
         let mut last: Vec<usize> = (0..coordinates).collect();
         each_entry(coordinates, blocks, |row, column, _| {

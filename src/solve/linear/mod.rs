@@ -16,19 +16,22 @@ pub mod units;
 
 /// Refinement steps at most; one restores the digits that stiff beams cost, the others are for near-singular systems.
 pub(super) const REFINEMENTS: usize = 4;
-/// Largest componentwise backward error of an accepted solution (Oettli-Prager): a normwise one looks fine on solutions wrong in the fifth digit.
+/// Largest componentwise backward error of an accepted solution (Oettli-Prager): a normwise one looks fine on solutions
+/// wrong in the fifth digit.
 pub(super) const BACKWARD_ERROR: f64 = 1e-12;
 
 /// Terms below this share of a row's largest possible term are taken as round-off of the others.
 pub(super) const NEGLIGIBLE: f64 = 1e-10;
 
-/// Smallest size of a scaled solution that its backward error is judged by. Near 1e-308 doubles lose their digits one after the other, and
-/// the error of a right solution becomes any share of it: a motor whose rate fades away passes through there.
+/// Smallest size of a scaled solution that its backward error is judged by. Near 1e-308 doubles lose their digits one
+/// after the other, and the error of a right solution becomes any share of it: a motor whose rate fades away passes
+/// through there.
 pub(super) const SMALLEST_SOLUTION: f64 = 1e-280;
 
-/// A direction that the matrix maps to less than this share of its terms is a null direction. Measured: 1e-16 and below for free and
-/// doubly held systems (round-off of a row's sum), 2.5e-13 and 3.2e-15 for the softest direction of a slender cantilever of 1,000
-/// and 3,000 elements. From some 4,000 on, such a beam cannot be told from a free one in double precision.
+/// A direction that the matrix maps to less than this share of its terms is a null direction. Measured: 1e-16 and below
+/// for free and doubly held systems (round-off of a row's sum), 2.5e-13 and 3.2e-15 for the softest direction of a
+/// slender cantilever of 1,000 and 3,000 elements. From some 4,000 on, such a beam cannot be told from a free one in
+/// double precision.
 pub(super) const ROUND_OFF: f64 = 1e-15;
 
 /// A number between 0.5 and 1.5 for each unknown, with no pattern that a null vector could be orthogonal to.

@@ -1,8 +1,10 @@
-//! A constrained system, factorized front by front (`elimination_tree`): LU with partial pivoting within the pivots of a front.
+//! A constrained system, factorized front by front (`elimination_tree`): LU with partial pivoting within the pivots of
+//! a front.
 //!
-//! Pivots are compared as if rows and columns were scaled: coordinates by the roots of their diagonals, multipliers so that the largest entry of a
-//! condition is 1, which then counts for more. What the restricted pivoting and stiff beams cost, refinement restores; a solution counts only with a componentwise backward
-//! error at round-off. Where there is none, a general solver has to help (`direct`).
+//! Pivots are compared as if rows and columns were scaled: coordinates by the roots of their diagonals, multipliers so
+//! that the largest entry of a condition is 1, which then counts for more. What the restricted pivoting and stiff beams
+//! cost, refinement restores; a solution counts only with a componentwise backward error at round-off. Where there is
+//! none, a general solver has to help (`direct`).
 
 use super::elimination_tree::{Fronts, Unknowns};
 use super::front::{Front, Piece, Run};
@@ -18,15 +20,16 @@ use std::ops::Range;
 /// Rows that are worked on at a time: the coordinates of a node of `ancf14`.
 const NODE: usize = 7;
 
-/// How many times more the row of a condition counts as a pivot than it measures. Where a condition holds a stiff beam, both measure the same: if the beam's row
-/// went first, all that is soft would be the round-off of its stiffness, and every solution would need refinement.
+/// How many times more the row of a condition counts as a pivot than it measures. Where a condition holds a stiff beam,
+/// both measure the same: if the beam's row went first, all that is soft would be the round-off of its stiffness, and
+/// every solution would need refinement.
 const PREFERENCE: f64 = 4.0;
 
 /// A diagonal below this share of the largest one is round-off: stiff and soft coordinates differ by 1e12 at most.
 const VANISHING: f64 = 1e-13;
 
-/// How many times softer than it was found a matrix may be for all that the fronts know: scaled otherwise than by the general solver, and asked by
-/// a vector that is not quite its softest one.
+/// How many times softer than it was found a matrix may be for all that the fronts know: scaled otherwise than by the
+/// general solver, and asked by a vector that is not quite its softest one.
 const DOUBT: f64 = 100.0;
 
 /// Order, memory and factors of one matrix.
@@ -79,7 +82,8 @@ impl Multifrontal {
         })
     }
 
-    /// Takes the values of `blocks` (of the same layout as at the start) and factorizes; diagonals in the natural `units` of all unknowns can be compared.
+    /// Takes the values of `blocks` (of the same layout as at the start) and factorizes; diagonals in the natural
+    /// `units` of all unknowns can be compared.
     ///
     /// # Errors
     /// A pivot vanishes, or a value is not finite.
@@ -124,8 +128,9 @@ impl Multifrontal {
             }
         }
         let (coordinates, multipliers) = scale.split_at_mut(self.coordinates);
-        // A diagonal that is round-off of the others, or zero, is replaced by the largest one. Kilograms and kilogram square meters compare in
-        // the natural units only: in SI units the ones would be the round-off of the others in a mechanism of some micrometers.
+        // A diagonal that is round-off of the others, or zero, is replaced by the largest one. Kilograms and kilogram
+        // square meters compare in the natural units only: in SI units the ones would be the round-off of the others in
+        // a mechanism of some micrometers.
         let sizes = coordinates.iter().zip(units.iter()).map(|(value, unit)| value.abs() * unit * unit);
         let largest = sizes.fold(0.0_f64, f64::max);
         let largest = if largest > 0.0 { largest } else { 1.0 };
@@ -152,7 +157,8 @@ impl Multifrontal {
         }
     }
 
-    /// Sign of the determinant of the factorized matrix: rows and columns are renumbered alike, rows exchanged within fronts.
+    /// Sign of the determinant of the factorized matrix: rows and columns are renumbered alike, rows exchanged within
+    /// fronts.
     pub fn sign(&self) -> i8 {
         let mut sign = 1;
         for front in &self.fronts.fronts {
@@ -172,7 +178,8 @@ impl Multifrontal {
         self.scale[index]
     }
 
-    /// Solves for the right side `vector`, in place, refined until the backward error is at round-off. `blocks` are those that were factorized.
+    /// Solves for the right side `vector`, in place, refined until the backward error is at round-off. `blocks` are
+    /// those that were factorized.
     ///
     /// # Errors
     /// The solution is not finite or not accurate; `vector` is as it was.
@@ -197,7 +204,8 @@ impl Multifrontal {
         vector.copy_from_slice(&self.remainder);
     }
 
-    /// Solves with the transposed matrix for the right side `vector`, in place, refined as [`Self::solve`] is; `room` is scratch memory.
+    /// Solves with the transposed matrix for the right side `vector`, in place, refined as [`Self::solve`] is; `room`
+    /// is scratch memory.
     ///
     /// # Errors
     /// As [`Self::solve`].
@@ -223,9 +231,10 @@ impl Multifrontal {
 
     /// Whether the factorized matrix, `blocks`, is beyond doubt regular to working precision.
     ///
-    /// A null vector `l` of the transpose would leave `lᵀ(b − A x) = lᵀ b` whatever `x` is. So where `b` has no pattern, an accurate and moderate `x`
-    /// proves that there is none, however the pivots were found: what is left of `b`, and the round-off of the terms of `A x`, must be small beside
-    /// it, all of them scaled. A second `b`, the first solution, shows a soft direction as it is (`sparse_lu` asks the same way).
+    /// A null vector `l` of the transpose would leave `lᵀ(b − A x) = lᵀ b` whatever `x` is. So where `b` has no
+    /// pattern, an accurate and moderate `x` proves that there is none, however the pivots were found: what is left of
+    /// `b`, and the round-off of the terms of `A x`, must be small beside it, all of them scaled. A second `b`, the
+    /// first solution, shows a soft direction as it is (`sparse_lu` asks the same way).
     pub fn is_surely_regular(&mut self, blocks: &Blocks) -> bool {
         let mut vector: Vec<f64> =
             self.scale.iter().enumerate().map(|(index, scale)| irregular(index) / scale).collect();
@@ -321,8 +330,9 @@ impl Multifrontal {
         }
     }
 
-    /// Sets `remainder = vector − A solution` and returns the componentwise backward error `max |r|_i / (|A||x| + |b|)_i` (Oettli-Prager); infinite
-    /// when not finite. `|A|` is the sum of the sizes of blocks that overlap, where `sparse_lu` takes the size of their sum: a little less strict.
+    /// Sets `remainder = vector − A solution` and returns the componentwise backward error `max |r|_i / (|A||x| +
+    /// |b|)_i` (Oettli-Prager); infinite when not finite. `|A|` is the sum of the sizes of blocks that overlap, where
+    /// `sparse_lu` takes the size of their sum: a little less strict.
     fn backward_error(&mut self, blocks: &Blocks, vector: &[f64]) -> f64 {
         let Self { scale, solution, remainder, work: magnitude, .. } = self;
         remainder.copy_from_slice(vector);
@@ -343,7 +353,8 @@ impl Multifrontal {
                 let place = block.row + row;
                 let (values, factors) = (&values[row..], factors.clone());
                 let sums = (&mut remainder[place..], &mut magnitude[place..]);
-                // As many rows as the compiler may keep at hand, of what blocks have: two nodes, a body, the conditions of joints.
+                // As many rows as the compiler may keep at hand, of what blocks have: two nodes, a body, the conditions
+                // of joints.
                 row += match block.rows - row {
                     // Two nodes as eight rows and six: an odd number leaves half of the processor's lanes without work.
                     14 => subtract_rows::<8>(values, block.rows, factors, sums),
@@ -376,8 +387,9 @@ fn diagonal(block: &Block) -> Range<usize> {
     block.row.max(block.column)..(block.row + block.rows).min(block.column + block.columns)
 }
 
-/// Takes the products of some rows of a block, whose columns are `stride` apart, with the solution out of `remainder`, and adds their sizes to `magnitude`; `factors`
-/// are the solution and what sizes are multiplied with. Returns how many rows.
+/// Takes the products of some rows of a block, whose columns are `stride` apart, with the solution out of `remainder`,
+/// and adds their sizes to `magnitude`; `factors` are the solution and what sizes are multiplied with. Returns how many
+/// rows.
 fn subtract_rows<const ROWS: usize>(
     values: &[f64],
     stride: usize,
@@ -421,7 +433,8 @@ fn copy(column: &[f64], target: &mut [f64]) {
     target.copy_from_slice(column);
 }
 
-/// Adds the pieces of the matrix that belong to a front, whose columns of pivots are `own`, those of the border `right`.
+/// Adds the pieces of the matrix that belong to a front, whose columns of pivots are `own`, those of the border
+/// `right`.
 fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], own: &mut [f64], right: &mut [f64]) {
     let stride = front.shape().stride();
     for piece in &fronts.pieces[front.pieces.range()] {
@@ -438,7 +451,8 @@ fn add_pieces(fronts: &Fronts, front: &Front, values: &[f64], own: &mut [f64], r
     }
 }
 
-/// Adds what is left of a child, among `rests`, to the columns of its parent of the shape `shape`: of pivots, of the border.
+/// Adds what is left of a child, among `rests`, to the columns of its parent of the shape `shape`: of pivots, of the
+/// border.
 fn add_rest(rests: &[f64], child: &Front, runs: &[Run], shape: Shape, [own, right]: [&mut [f64]; 2]) {
     let (stride, Shape { pivots, border }) = (shape.stride(), child.shape());
     let rest = &rests[child.rest()];

@@ -4,8 +4,8 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
 
-/// An order in which to eliminate the vertices of a graph, given by the neighbors of each, so that few new neighbors come up: the approximate
-/// minimum degree. None for want of memory.
+/// An order in which to eliminate the vertices of a graph, given by the neighbors of each, so that few new neighbors
+/// come up: the approximate minimum degree. None for want of memory.
 pub fn minimum_degree(neighbors: &[Vec<usize>]) -> Option<Vec<usize>> {
     let count = neighbors.len();
     let mut starts = vec![0];

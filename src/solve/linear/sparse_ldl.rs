@@ -11,7 +11,8 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Par, Side, Spec};
 
-/// A symmetric sparse matrix whose pattern never changes, factorized as `L D Lᵀ` without pivoting: for the signs of `D`.
+/// A symmetric sparse matrix whose pattern never changes, factorized as `L D Lᵀ` without pivoting: for the signs of
+/// `D`.
 pub struct SparseLdl {
     size: usize,
     column_starts: Vec<usize>,
@@ -65,8 +66,8 @@ impl SparseLdl {
         })
     }
 
-    /// How many pivots are negative of the symmetric part of `blocks` (of the same layout as at the start), scaled by `scale` from both
-    /// sides; none where a pivot vanishes.
+    /// How many pivots are negative of the symmetric part of `blocks` (of the same layout as at the start), scaled by
+    /// `scale` from both sides; none where a pivot vanishes.
     pub fn negative_pivots(&mut self, blocks: &Blocks, scale: impl Fn(usize) -> f64) -> Option<usize> {
         self.values.fill(0.0);
         for (place, value) in self.scatter.iter().zip(blocks.values()) {

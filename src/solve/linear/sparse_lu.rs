@@ -45,7 +45,8 @@ fn parameters() -> Spec<PartialPivLuParams, f64> {
 }
 
 impl SparseLu {
-    /// For matrices with the pattern of `blocks`; `units` is the natural size of each unknown, which scaling starts from.
+    /// For matrices with the pattern of `blocks`; `units` is the natural size of each unknown, which scaling starts
+    /// from.
     ///
     /// # Errors
     /// The symbolic analysis runs out of memory.
@@ -134,7 +135,8 @@ impl SparseLu {
     /// Solves for the right side `vector`, in place, refined until the backward error is at round-off.
     ///
     /// # Errors
-    /// The solution is not finite or not accurate: the matrix is singular to working precision. `vector` is then spoilt.
+    /// The solution is not finite or not accurate: the matrix is singular to working precision. `vector` is then
+    /// spoilt.
     pub fn solve(&mut self, vector: &mut [f64]) -> Result<(), Singular> {
         self.solution.fill(0.0);
         self.remainder.copy_from_slice(vector);
@@ -148,7 +150,8 @@ impl SparseLu {
         Err(Singular)
     }
 
-    /// Solves with the transposed matrix for the right side `vector`, in place, refined as [`Self::solve`] is. `blocks` are those that were factorized, `room` is scratch memory.
+    /// Solves with the transposed matrix for the right side `vector`, in place, refined as [`Self::solve`] is. `blocks`
+    /// are those that were factorized, `room` is scratch memory.
     ///
     /// # Errors
     /// As [`Self::solve`].
@@ -179,8 +182,8 @@ impl SparseLu {
         self.scale[index]
     }
 
-    /// Whether the factorized matrix is regular to working precision: two inverse iterations find its softest direction `v`,
-    /// which a singular matrix maps to round-off.
+    /// Whether the factorized matrix is regular to working precision: two inverse iterations find its softest direction
+    /// `v`, which a singular matrix maps to round-off.
     pub fn regularity(&mut self) -> Regularity {
         for (index, value) in self.remainder.iter_mut().enumerate() {
             *value = irregular(index);
@@ -230,10 +233,11 @@ impl SparseLu {
         }
     }
 
-    /// Sets `remainder = vector − A solution` and returns the componentwise backward error `max |r|_i / (|A||x| + |b|)_i`; infinite when not finite.
+    /// Sets `remainder = vector − A solution` and returns the componentwise backward error `max |r|_i / (|A||x| +
+    /// |b|)_i`; infinite when not finite.
     ///
-    /// A row whose terms are all round-off of the others says nothing by itself: its denominator is at least the row's share
-    /// of the largest scaled unknown times [`NEGLIGIBLE`] (Arioli, Demmel, Duff 1989).
+    /// A row whose terms are all round-off of the others says nothing by itself: its denominator is at least the row's
+    /// share of the largest scaled unknown times [`NEGLIGIBLE`] (Arioli, Demmel, Duff 1989).
     fn backward_error(&mut self, vector: &[f64]) -> f64 {
         for ((remainder, magnitude), value) in self.remainder.iter_mut().zip(&mut self.magnitude).zip(vector) {
             *remainder = *value;

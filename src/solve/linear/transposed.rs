@@ -11,8 +11,8 @@ pub(super) struct Room {
     pub magnitude: Vec<f64>,
 }
 
-/// Solves with the transpose of `blocks` for the right side `vector`, in place, until the backward error is at round-off; `apply_inverse` does so in place without
-/// refinement, `scale` is what unknowns are measured in.
+/// Solves with the transpose of `blocks` for the right side `vector`, in place, until the backward error is at
+/// round-off; `apply_inverse` does so in place without refinement, `scale` is what unknowns are measured in.
 ///
 /// # Errors
 /// The solution is not finite or not accurate; `vector` is as it was.
@@ -39,7 +39,8 @@ pub(super) fn solve_transposed(
     Err(Singular)
 }
 
-/// Sets the remainder to `vector − Aᵀ solution` and returns the componentwise backward error (Oettli-Prager); infinite when not finite.
+/// Sets the remainder to `vector − Aᵀ solution` and returns the componentwise backward error (Oettli-Prager); infinite
+/// when not finite.
 fn backward_error(blocks: &Blocks, vector: &[f64], scale: &impl Fn(usize) -> f64, room: &mut Room) -> f64 {
     let Room { solution, remainder, magnitude } = room;
     remainder.clear();

@@ -1,7 +1,7 @@
 //! The natural sizes of unknowns, by which they can be compared in a mechanism of any size.
 
-/// The natural size of each unknown: that of the mechanism, m, for a position, 1 for slopes, angles and directors, and for multipliers, which the solvers scale by
-/// their rows.
+/// The natural size of each unknown: that of the mechanism, m, for a position, 1 for slopes, angles and directors, and
+/// for multipliers, which the solvers scale by their rows.
 #[derive(Clone, Debug)]
 pub struct Units {
     size: f64,

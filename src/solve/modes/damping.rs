@@ -1,5 +1,5 @@
-//! Damping of natural modes, to first order: the shapes stay those without damping, and a mode with `xᵀ M x = 1` has the damping ratio `xᵀ C x/(2 ω)`.
-//! Dry friction is left out.
+//! Damping of natural modes, to first order: the shapes stay those without damping, and a mode with `xᵀ M x = 1` has
+//! the damping ratio `xᵀ C x/(2 ω)`. Dry friction is left out.
 
 use super::{Kind, Mode};
 use crate::math::blocks::Blocks;

@@ -1,8 +1,9 @@
 //! Natural modes: `K x = ω² M x` on the motions that the constraints allow, `G x = 0`, about a state at rest.
 //!
-//! `K` holds the stiffness of sections, springs and loads and the curvature of the constraints under their forces. Drives and moving
-//! frames stand where they are; damping (see damping.rs) and velocities are left out. The block of subspace.rs is taken through `K + μ M`, `μ > 0`
-//! beyond the most unstable motion: systems that can move freely have a singular `K`, unstable ones an indefinite one.
+//! `K` holds the stiffness of sections, springs and loads and the curvature of the constraints under their forces.
+//! Drives and moving frames stand where they are; damping (see damping.rs) and velocities are left out. The block of
+//! subspace.rs is taken through `K + μ M`, `μ > 0` beyond the most unstable motion: systems that can move freely have a
+//! singular `K`, unstable ones an indefinite one.
 
 pub mod damping;
 pub mod subspace;
@@ -20,8 +21,9 @@ use crate::solve::linear::irregular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::response::{Responder, Response};
 
-/// `ω²` below this share of what its terms would add up to without canceling is round-off. Measured: 2e-16 and below for free beams
-/// in any direction, 2e-11 for the first mode of a beam a thousand times as long as high, 16 elements, in an oblique direction.
+/// `ω²` below this share of what its terms would add up to without canceling is round-off. Measured: 2e-16 and below
+/// for free beams in any direction, 2e-11 for the first mode of a beam a thousand times as long as high, 16 elements,
+/// in an oblique direction.
 pub const ROUND_OFF: f64 = 2e-14;
 
 /// Vectors beside the wanted ones, at least: the more, the faster the last of these come out.
@@ -35,13 +37,15 @@ const ACCEPTABLE: f64 = 1e-6;
 /// A vector whose number can be trusted to one digit.
 const ROUGH: f64 = 0.1;
 
-/// First `μ`, and the least, as shares of the `ω²` of a motion without pattern, which is near the largest one of the system.
+/// First `μ`, and the least, as shares of the `ω²` of a motion without pattern, which is near the largest one of the
+/// system.
 const FIRST_SHIFT: f64 = 1e-8;
 const LEAST_SHIFT: f64 = 1e-14;
 /// `μ` as a share of an `ω²` a little beyond the wanted ones, and as a multiple of what is beyond zero.
 const SHIFT_BELOW: f64 = 0.1;
 const SHIFT_BEYOND: f64 = 4.0;
-/// Factor by which `μ` is raised while motions release energy, and how often at most: beyond all that doubles can tell apart.
+/// Factor by which `μ` is raised while motions release energy, and how often at most: beyond all that doubles can tell
+/// apart.
 const RAISE: f64 = 10.0;
 const MOST_SHIFTS: usize = 30;
 /// A change of `μ` by less than this factor is not worth a factorization.
@@ -81,12 +85,14 @@ pub struct Modes {
     pub freedoms: usize,
     /// How far from the state the nearest equilibrium is by its stiffness: lengths over the system's size, slopes, rad.
     pub imbalance: f64,
-    /// Largest skew part of the stiffness (follower loads, moments about axes that stand still) between two of the softest motions, also
-    /// beyond those asked for, as a share of the larger of their `|ω²|`. Modes are those of the symmetric part.
+    /// Largest skew part of the stiffness (follower loads, moments about axes that stand still) between two of the
+    /// softest motions, also beyond those asked for, as a share of the larger of their `|ω²|`. Modes are those of the
+    /// symmetric part.
     pub skewness: f64,
 }
 
-/// The `count` lowest modes about `state`, at rest, without dry friction: it would hold a joint by the stiffness of sticking.
+/// The `count` lowest modes about `state`, at rest, without dry friction: it would hold a joint by the stiffness of
+/// sticking.
 ///
 /// # Errors
 /// The constraints are redundant, a number is not finite, or the sweeps do not converge.
@@ -129,7 +135,8 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
         let mut found: Vec<(f64, f64)> = ritz.iter().map(|ritz| (1.0 / ritz.inverse - shift, ritz.error)).collect();
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let lowest = found.iter().filter(|own| own.1 < ROUGH).map(|own| own.0).fold(0.0, f64::min);
-        // Of a vector beyond the wanted ones: these may all be zero, where nothing holds the system or it is about to buckle.
+        // Of a vector beyond the wanted ones: these may all be zero, where nothing holds the system or it is about to
+        // buckle.
         let beyond = found.get(wanted + GUARDS / 2).or(found.last()).map_or(0.0, |own| own.0);
         found.truncate(wanted);
         let error = found.iter().map(|own| own.1).fold(0.0, f64::max);
@@ -159,8 +166,8 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     Ok(Modes { modes, freedoms, imbalance, skewness })
 }
 
-/// Factorizes `K + μ M` with the least `μ` of `shift`, ten times it, and so on, with which no motion releases energy, and returns it: the block
-/// then finds the lowest modes first, however unstable, and misses none.
+/// Factorizes `K + μ M` with the least `μ` of `shift`, ten times it, and so on, with which no motion releases energy,
+/// and returns it: the block then finds the lowest modes first, however unstable, and misses none.
 ///
 /// # Errors
 /// The matrix is singular.
@@ -204,7 +211,8 @@ fn size(system: &System, index: usize) -> f64 {
     if system.is_place(index) { system.size } else { 1.0 }
 }
 
-/// Sets the blocks of `kkt` to stiffness and constraints at `state`, whose constraints transmit `multipliers`; returns them.
+/// Sets the blocks of `kkt` to stiffness and constraints at `state`, whose constraints transmit `multipliers`; returns
+/// them.
 fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt) -> Blocks {
     let (mut snapshot, mut excitation) = (FrameCache::default(), Excitation::default());
     let configuration = snapshot.of(system, state);
@@ -216,8 +224,8 @@ fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt)
     kkt.blocks.clone()
 }
 
-/// `ω²` of a motion without pattern, if nothing canceled, 1/s²: by the stiffness, and by what the forces that act, of constraints and
-/// of inertia, would do in such a motion: a stiffness far below that is round-off of theirs.
+/// `ω²` of a motion without pattern, if nothing canceled, 1/s²: by the stiffness, and by what the forces that act, of
+/// constraints and of inertia, would do in such a motion: a stiffness far below that is round-off of theirs.
 fn scales(system: &System, drives: &[Jet], stiffness: &Blocks, response: &Response) -> [f64; 2] {
     let (vector, mass) = without_pattern(system, drives);
     let mut inertia = vec![0.0; vector.len()];
@@ -242,7 +250,8 @@ fn mode(stiffness: &Blocks, shape: &[f64], forced: f64) -> Mode {
     Mode { kind, eigenvalue, shape: shape.to_vec() }
 }
 
-/// What a motion with `xᵀ K x = eigenvalue` does, as far as the round-off of the stiffness, and of forces that amount to `forced`, tells.
+/// What a motion with `xᵀ K x = eigenvalue` does, as far as the round-off of the stiffness, and of forces that amount
+/// to `forced`, tells.
 pub fn kind(stiffness: &Blocks, shape: &[f64], eigenvalue: f64, forced: f64) -> Kind {
     let noise = ROUND_OFF * (stiffness.magnitude(shape) + forced);
     if eigenvalue < -noise {
@@ -254,8 +263,8 @@ pub fn kind(stiffness: &Blocks, shape: &[f64], eigenvalue: f64, forced: f64) -> 
     }
 }
 
-/// Turns the shapes of each frequency that comes more than once so that the first has all of what they move most, the second all of
-/// what is left then, and so on: a round beam's go along the axes.
+/// Turns the shapes of each frequency that comes more than once so that the first has all of what they move most, the
+/// second all of what is left then, and so on: a round beam's go along the axes.
 fn sort_out(system: &System, modes: &mut [Mode]) {
     let same = |a: &Mode, b: &Mode| match (a.kind, b.kind) {
         (Kind::Free, Kind::Free) => true,

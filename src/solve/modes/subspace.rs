@@ -1,5 +1,6 @@
-//! The softest motions that the constraints allow: block inverse iteration `[A Gᵀ; G 0][y; ·] = [M x; 0]` with Rayleigh-Ritz in the
-//! inner product of the mass. `A` is the stiffness, or the stiffness and a share of the mass; only its factorization is asked for.
+//! The softest motions that the constraints allow: block inverse iteration `[A Gᵀ; G 0][y; ·] = [M x; 0]` with
+//! Rayleigh-Ritz in the inner product of the mass. `A` is the stiffness, or the stiffness and a share of the mass; only
+//! its factorization is asked for.
 //!
 //! The vectors stay a block, so that motions of one frequency come out together, as many as there are.
 
@@ -9,7 +10,8 @@ use crate::solve::linear::{Singular, irregular};
 use crate::solve::newton::kkt::Kkt;
 use nalgebra::{DMatrix, SymmetricEigen};
 
-/// A vector of which less than this share is left when the others are taken out of it was made of them: only round-off is left.
+/// A vector of which less than this share is left when the others are taken out of it was made of them: only round-off
+/// is left.
 const DEPENDENT: f64 = 1e-13;
 
 /// One vector of the block after a sweep.
@@ -32,7 +34,8 @@ pub struct Subspace {
 }
 
 impl Subspace {
-    /// `count` vectors without pattern; the first sweep makes them motions that the constraints allow, and its numbers mean nothing.
+    /// `count` vectors without pattern; the first sweep makes them motions that the constraints allow, and its numbers
+    /// mean nothing.
     pub fn new(system: &System, drives: &[Jet], count: usize) -> Self {
         let odd = |vector: usize, index: usize| irregular((2 * vector + 1) * index + vector) - 1.0;
         let vectors = (0..count).map(|vector| (0..system.coordinates()).map(|index| odd(vector, index)).collect());
@@ -46,8 +49,8 @@ impl Subspace {
         &self.vectors
     }
 
-    /// Takes every vector once through the inverse, with the factorization that `kkt` has, and sorts the motions out. A block of more
-    /// vectors than there are motions loses those in excess.
+    /// Takes every vector once through the inverse, with the factorization that `kkt` has, and sorts the motions out. A
+    /// block of more vectors than there are motions loses those in excess.
     ///
     /// # Errors
     /// The factorization gives no accurate solutions; the block is as it was.

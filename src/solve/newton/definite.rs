@@ -1,11 +1,14 @@
-//! Whether the symmetric part of `A + Bᵀ B/ε` is positive definite up to round-off: it is where its Cholesky factorization comes to an end. Otherwise nothing is known.
+//! Whether the symmetric part of `A + Bᵀ B/ε` is positive definite up to round-off: it is where its Cholesky
+//! factorization comes to an end. Otherwise nothing is known.
 //!
-//! The factorization keeps the order of the coordinates, in which beams have a band: it needs neither the search for an order nor the symbolic analysis of a general one.
+//! The factorization keeps the order of the coordinates, in which beams have a band: it needs neither the search for an
+//! order nor the symbolic analysis of a general one.
 
 use crate::math::blocks::{Block, Blocks};
 use crate::solve::linear::cholesky::Cholesky;
 
-/// Largest mean square of the lengths of columns. A column this long takes as much work as the analysis of a column in the general factorization.
+/// Largest mean square of the lengths of columns. A column this long takes as much work as the analysis of a column in
+/// the general factorization.
 const MOST_WORK: usize = 64 * 64;
 
 /// The matrix of the coordinates alone, within its profile.
@@ -18,7 +21,8 @@ pub(super) struct Definite {
 }
 
 impl Definite {
-    /// For the blocks `whole`, of which the first `coordinates` rows and columns count. None where the profile is too large to be worth it.
+    /// For the blocks `whole`, of which the first `coordinates` rows and columns count. None where the profile is too
+    /// large to be worth it.
     pub(super) fn new(coordinates: usize, whole: &Blocks) -> Option<Self> {
         let mut lasts: Vec<usize> = (0..coordinates).collect();
         let mut kept = Vec::new();
@@ -61,7 +65,8 @@ impl Definite {
         }
     }
 
-    /// Adds the spring that stands for a condition: `stiffness` times the outer product of its `gradient`, given by indices and values, with itself.
+    /// Adds the spring that stands for a condition: `stiffness` times the outer product of its `gradient`, given by
+    /// indices and values, with itself.
     pub(super) fn add_spring(&mut self, gradient: impl Iterator<Item = (usize, f64)> + Clone, stiffness: f64) {
         for (column, first) in gradient.clone().filter(|(_, value)| *value != 0.0) {
             let own = self.factor.column_mut(column);
@@ -113,7 +118,8 @@ mod tests {
         }
     }
 
-    /// A chain is a band, however long it is. Closed to a ring its profile is full: the general factorization does better then.
+    /// A chain is a band, however long it is. Closed to a ring its profile is full: the general factorization does
+    /// better then.
     #[test]
     fn full_profiles_are_refused() {
         let (mut blocks, count) = (Blocks::default(), 300);

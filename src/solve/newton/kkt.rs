@@ -14,11 +14,12 @@ use crate::solve::linear::sparse_lu::SparseLu;
 use crate::solve::linear::units::Units;
 use crate::solve::linear::{Regularity, Singular, irregular};
 
-/// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against round-off.
+/// Shift of the scaled diagonal that makes a singular matrix regular: small against honest entries, large against
+/// round-off.
 const SHIFT: f64 = 1e-10;
 
-/// How far scaled conditions give way under a unit of their force where motions are counted: so little that no soft motion notices, so
-/// much that the round-off of conditions (1e-16 over it) stays below the softest motions.
+/// How far scaled conditions give way under a unit of their force where motions are counted: so little that no soft
+/// motion notices, so much that the round-off of conditions (1e-16 over it) stays below the softest motions.
 const YIELDING: f64 = 1e-5;
 
 /// Matrix and factorization of one constrained system.
@@ -26,7 +27,8 @@ const YIELDING: f64 = 1e-5;
 pub struct Kkt {
     /// The matrix; the system's tangent blocks come first.
     pub blocks: Blocks,
-    /// First of each joint's constraint blocks: columns of a and b, rows of a and b, and of a joint with a switch the diagonal of its multipliers.
+    /// First of each joint's constraint blocks: columns of a and b, rows of a and b, and of a joint with a switch the
+    /// diagonal of its multipliers.
     joints: Vec<usize>,
     /// First of each joint's four stiffness blocks, where the system has them.
     curvatures: Vec<usize>,
@@ -43,7 +45,8 @@ pub struct Kkt {
 struct Inertia {
     /// Which blocks of the whole matrix are in it.
     kept: Vec<usize>,
-    /// The second sides of gears, by their numbers among the joints, each with the first of its eight blocks that connect the two sides.
+    /// The second sides of gears, by their numbers among the joints, each with the first of its eight blocks that
+    /// connect the two sides.
     gears: Vec<(usize, usize)>,
     blocks: Blocks,
     ldl: SparseLdl,
@@ -139,7 +142,8 @@ impl Kkt {
         }
     }
 
-    /// Sets the stiffness blocks of all joints: `factor · ∂²(multipliers·g)/∂q²` at `c`, and on the way `gradients` to `∂g/∂q`.
+    /// Sets the stiffness blocks of all joints: `factor · ∂²(multipliers·g)/∂q²` at `c`, and on the way `gradients` to
+    /// `∂g/∂q`.
     pub fn set_curvatures_and_gradients(
         &mut self,
         system: &System,
@@ -204,7 +208,8 @@ impl Kkt {
         self.solver.sign()
     }
 
-    /// Solves in place with the last factorization, after it has been solved with, for a correction that is far smaller than what it corrects: not refined.
+    /// Solves in place with the last factorization, after it has been solved with, for a correction that is far smaller
+    /// than what it corrects: not refined.
     ///
     /// # Errors
     /// The solution is not accurate.
@@ -212,13 +217,14 @@ impl Kkt {
         self.solver.solve_roughly(&self.blocks, vector)
     }
 
-    /// Whether it is certain that no motion that the constraints allow releases energy, by the symmetric part of the matrix that is set. A factorization is
-    /// neither needed nor kept.
+    /// Whether it is certain that no motion that the constraints allow releases energy, by the symmetric part of the
+    /// matrix that is set. A factorization is neither needed nor kept.
     pub fn holds_all_motions(&mut self, system: &System) -> bool {
         self.solver.set_scale(&self.blocks) && self.is_definite(system)
     }
 
-    /// Whether the matrix that [`Self::releasing_motions`] factorizes is positive definite up to round-off; where it is not, nothing is known.
+    /// Whether the matrix that [`Self::releasing_motions`] factorizes is positive definite up to round-off; where it is
+    /// not, nothing is known.
     fn is_definite(&mut self, system: &System) -> bool {
         let coordinates = system.coordinates();
         let definite = self.definite.get_or_insert_with(|| {
@@ -241,10 +247,12 @@ impl Kkt {
         definite.is_definite()
     }
 
-    /// How many independent motions that the constraints allow release energy, by the symmetric part of the matrix that is set and has
-    /// been factorized: Sylvester's law of inertia counts them all, however many softer ones there are. None where a pivot vanishes.
+    /// How many independent motions that the constraints allow release energy, by the symmetric part of the matrix that
+    /// is set and has been factorized: Sylvester's law of inertia counts them all, however many softer ones there are.
+    /// None where a pivot vanishes.
     ///
-    /// They are the negative pivots of `A + Bᵀ B/ε = L D Lᵀ`, the constraints being springs that are stiffer than anything else.
+    /// They are the negative pivots of `A + Bᵀ B/ε = L D Lᵀ`, the constraints being springs that are stiffer than
+    /// anything else.
     pub fn releasing_motions(&mut self, system: &System) -> Option<usize> {
         if self.is_definite(system) {
             return Some(0);
@@ -285,8 +293,8 @@ impl Kkt {
         self.solver.fallbacks()
     }
 
-    /// Checks that the solution just found is the only one: a singular system may have one by chance, as a floating beam
-    /// without loads has.
+    /// Checks that the solution just found is the only one: a singular system may have one by chance, as a floating
+    /// beam without loads has.
     ///
     /// # Errors
     /// A part of the system can move freely, or is held twice.
@@ -339,7 +347,8 @@ impl Kkt {
         self.lost_unknown(system).map_or_else(|what| what, |index| advice(system, index))
     }
 
-    /// The unknown that a null vector of the matrix moves most, found by inverse iterations on the matrix with a slightly shifted diagonal.
+    /// The unknown that a null vector of the matrix moves most, found by inverse iterations on the matrix with a
+    /// slightly shifted diagonal.
     ///
     /// # Errors
     /// It is not found: why the matrix is singular, in words.
@@ -372,7 +381,8 @@ impl Kkt {
     }
 }
 
-/// Adds the products of the gradients of conditions on two sides, `left` and `right`, to the block between them: of each condition by its own stiffness.
+/// Adds the products of the gradients of conditions on two sides, `left` and `right`, to the block between them: of
+/// each condition by its own stiffness.
 fn add_yielding(target: &mut [f64], [left, right]: [&[f64]; 2], stiffnesses: impl ExactSizeIterator<Item = f64>) {
     let conditions = stiffnesses.len();
     let (rows, columns) = (left.len() / conditions, right.len() / conditions);

@@ -18,7 +18,9 @@ pub const MOST_ITERATIONS: usize = 15;
 pub struct Convergence {
     /// Iterations made.
     pub iterations: usize,
-    /// Size of each correction (see [`System::motion_size`]), then that of the refinement of a single one. Where an iteration with another matrix follows, the second one is at least the first correction of that. Unused places are 0.
+    /// Size of each correction (see [`System::motion_size`]), then that of the refinement of a single one. Where an
+    /// iteration with another matrix follows, the second one is at least the first correction of that. Unused places
+    /// are 0.
     pub corrections: [f64; MOST_ITERATIONS],
     /// How often the solution has to be refined with the same tangent.
     pub refinements: usize,
@@ -30,7 +32,8 @@ impl Convergence {
         &self.corrections[..self.iterations]
     }
 
-    /// Takes the size of the first refinement for that of a second correction: both are what a single correction has left.
+    /// Takes the size of the first refinement for that of a second correction: both are what a single correction has
+    /// left.
     pub fn measure(&mut self, refinement: f64) {
         if self.iterations == 1 {
             self.corrections[1] = refinement;
@@ -40,14 +43,16 @@ impl Convergence {
 
 /// Something Newton can solve.
 pub trait Problem {
-    /// Sets `right` to minus the residual at the current unknowns, and the matrix of `kkt` to its derivative, or to one that converges as fast or nearly so;
-    /// returns the time at which loads were taken, s. After a correction `right` still has it.
+    /// Sets `right` to minus the residual at the current unknowns, and the matrix of `kkt` to its derivative, or to one
+    /// that converges as fast or nearly so; returns the time at which loads were taken, s. After a correction `right`
+    /// still has it.
     fn linearize(&mut self, kkt: &mut Kkt, right: &mut [f64]) -> f64;
 
     /// The force law that is not defined at the current unknowns, in words.
     fn undefined_law(&self) -> Option<String>;
 
-    /// Extends the correction that solves the linear system by unknowns that the system does not have; returns the size of their own corrections.
+    /// Extends the correction that solves the linear system by unknowns that the system does not have; returns the size
+    /// of their own corrections.
     ///
     /// # Errors
     /// They are not determined.
@@ -62,10 +67,12 @@ pub trait Problem {
 /// When an iteration ends; sizes are those of [`System::motion_size`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
-    /// A correction is below this size. It is applied too, so that with an exact tangent, by its quadratic convergence, what remains is at round-off; with one that leaves a share of each correction, as that of damped
-    /// beams at an instant, that share of it remains.
+    /// A correction is below this size. It is applied too, so that with an exact tangent, by its quadratic convergence,
+    /// what remains is at round-off; with one that leaves a share of each correction, as that of damped beams at an
+    /// instant, that share of it remains.
     Correction(f64),
-    /// What remains after a correction is below a bound, by the ratio of the last two corrections, or after the first one by the `expected` ratio.
+    /// What remains after a correction is below a bound, by the ratio of the last two corrections, or after the first
+    /// one by the `expected` ratio.
     Remainder {
         /// The bound: a size, and a share of the first correction.
         size: [f64; 2],
@@ -133,7 +140,8 @@ pub fn solve(
     Err(not_converged(system, right, (convergence.iterations, last), time, goal.size()))
 }
 
-/// The error that Newton has not converged after so many iterations. `correction` is the last one that was found, and has this size.
+/// The error that Newton has not converged after so many iterations. `correction` is the last one that was found, and
+/// has this size.
 pub fn not_converged(
     system: &System,
     correction: &[f64],

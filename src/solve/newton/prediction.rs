@@ -1,13 +1,15 @@
 //! Where a midpoint step starts its iteration: at the increment that the last steps lead to.
 //!
-//! Three predictions compete: `Dq = h v`, with the mean acceleration of the last step `h v + h²/2 a`, and with that of the last two continued,
-//! `h v + h²/2 (2 a − a')`. The one that would have predicted the last step best is taken: of a smooth motion the last one, of a system that trembles the first.
+//! Three predictions compete: `Dq = h v`, with the mean acceleration of the last step `h v + h²/2 a`, and with that of
+//! the last two continued, `h v + h²/2 (2 a − a')`. The one that would have predicted the last step best is taken: of a
+//! smooth motion the last one, of a system that trembles the first.
 
 use super::Convergence;
 use crate::mechanics::state::{Prediction, Shrinking, State};
 use crate::mechanics::system::System;
 
-/// What an expected shrinking of corrections grows by with every step that does not measure it: one whose first correction is round-off.
+/// What an expected shrinking of corrections grows by with every step that does not measure it: one whose first
+/// correction is round-off.
 const AGING: f64 = 1.2;
 
 /// Sets `increment` to the predicted change of the coordinates over `step` s from `state`.
@@ -15,8 +17,9 @@ pub fn predict(state: &State, step: f64, increment: &mut [f64]) {
     set_by(&state.velocity, &state.prediction, state.prediction.order, step, increment);
 }
 
-/// Turns the prediction of the converged step of `step` s by `increment` into that of the next step. `before` and `after` are the velocities at the start and at the end of the step;
-/// `room` is scratch memory, as long as the coordinates.
+/// Turns the prediction of the converged step of `step` s by `increment` into that of the next step. `before` and
+/// `after` are the velocities at the start and at the end of the step; `room` is scratch memory, as long as the
+/// coordinates.
 pub fn learn(
     system: &System,
     [before, after]: [&[f64]; 2],
@@ -51,7 +54,8 @@ pub fn learn(
 /// How many accelerations are kept.
 const MOST_KNOWN: u8 = 2;
 
-/// Sets `increment` to the change of the coordinates over `step` s from the velocities `velocity`, by the `order` last accelerations.
+/// Sets `increment` to the change of the coordinates over `step` s from the velocities `velocity`, by the `order` last
+/// accelerations.
 fn set_by(velocity: &[f64], prediction: &Prediction, order: u8, step: f64, increment: &mut [f64]) {
     let Prediction { acceleration, acceleration_before, .. } = prediction;
     for (increment, velocity) in increment.iter_mut().zip(velocity) {

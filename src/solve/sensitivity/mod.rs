@@ -1,16 +1,18 @@
 //! Derivatives of a communication step by what the host gives: how the state at its end changes with each input.
 //!
-//! The step is repeated, and each of its internal steps differentiated where it ended. An internal step solves `R(z, s, u) = 0` for its
-//! unknowns `z` from the state `s` before it, and the state after it is `s' = F(z, s, u)`. For every input
+//! The step is repeated, and each of its internal steps differentiated where it ended. An internal step solves
+//! `R(z, s, u) = 0` for its unknowns `z` from the state `s` before it, and the state after it is `s' = F(z, s, u)`. For
+//! every input
 //!
 //! ```text
 //! R_z dz = −R_s ds − R_u du,   ds' = F_z dz + F_s ds + F_u du
 //! ```
 //!
-//! with the factorized tangent for `R_z`: one factorization an internal step serves all inputs. Derivatives of `R` and `F` along a direction
-//! are central differences of fourth order of these explicit functions, without any iteration: with steps of `REACH` of the system's
-//! size and of a radian what they leave out is about 1e-12 of the derivative, what rounding adds a little more. A second solve takes
-//! out what the tangent leaves out. Velocities that follow by projection, and the response of the end, are solved for alike.
+//! with the factorized tangent for `R_z`: one factorization an internal step serves all inputs. Derivatives of `R` and
+//! `F` along a direction are central differences of fourth order of these explicit functions, without any iteration:
+//! with steps of `REACH` of the system's size and of a radian what they leave out is about 1e-12 of the derivative,
+//! what rounding adds a little more. A second solve takes out what the tangent leaves out. Velocities that follow by
+//! projection, and the response of the end, are solved for alike.
 
 pub mod mover;
 mod pass;
@@ -38,7 +40,8 @@ pub trait Inputs {
     /// Number of inputs.
     fn count(&self) -> usize;
 
-    /// The change of input `number` that changes a motion by about the system's size or a radian, or a load by about itself.
+    /// The change of input `number` that changes a motion by about the system's size or a radian, or a load by about
+    /// itself.
     fn unit(&self, number: usize) -> f64;
 
     /// Sets `targets` to what the host wants with input `number` changed by `change`.
@@ -74,8 +77,8 @@ impl Sensitivity {
         Self { columns, flow, responder, before: State::default(), scratch: Scratch::new(size) }
     }
 
-    /// Repeats the communication step `step` and differentiates it. `state` is at its end, and is so again; `march` takes its internal
-    /// steps with the integrator that it is given.
+    /// Repeats the communication step `step` and differentiates it. `state` is at its end, and is so again; `march`
+    /// takes its internal steps with the integrator that it is given.
     ///
     /// # Errors
     /// The step cannot be repeated, or its linear systems are singular.
@@ -99,8 +102,8 @@ impl Sensitivity {
         differentiated.failure.map_or(Ok(()), Err)
     }
 
-    /// The states and responses around `after` and `response` along input `number`, each with its weight: weighted and summed, whatever is
-    /// read off them is differentiated by that input.
+    /// The states and responses around `after` and `response` along input `number`, each with its weight: weighted and
+    /// summed, whatever is read off them is differentiated by that input.
     pub fn look(
         &mut self,
         system: &System,
@@ -208,7 +211,8 @@ impl Sensitivity {
     }
 }
 
-/// The states around `state` along its motion with the accelerations `acceleration`, each with its weight: weighted and summed, whatever is read off their positions and velocities is differentiated by time.
+/// The states around `state` along its motion with the accelerations `acceleration`, each with its weight: weighted and
+/// summed, whatever is read off their positions and velocities is differentiated by time.
 pub fn along_motion(system: &System, state: &State, acceleration: &[f64], mut read: impl FnMut(&State, f64)) {
     let mut variation = Variation::default();
     variation.set_zero(state);

@@ -29,7 +29,8 @@ impl<N> Clone for Step<'_, N> {
 impl<N> Copy for Step<'_, N> {}
 
 impl<N: Inputs> Step<'_, N> {
-    /// The change of input `number` for differences along a direction: of states, and of the unknowns of a step of `step` s.
+    /// The change of input `number` for differences along a direction: of states, and of the unknowns of a step of
+    /// `step` s.
     pub(super) fn reach(
         &self,
         system: &System,
@@ -65,7 +66,8 @@ pub(super) struct Mover {
 }
 
 impl Mover {
-    /// The state `from` of the communication step `step`, had input `number` been larger by `by`; `variation` is how it depends on that input.
+    /// The state `from` of the communication step `step`, had input `number` been larger by `by`; `variation` is how it
+    /// depends on that input.
     pub fn move_from(
         &mut self,
         system: &System,

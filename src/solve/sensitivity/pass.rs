@@ -60,7 +60,8 @@ pub(super) struct Pass<'a, I, N> {
 }
 
 impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
-    /// Factorizes the tangent of the step, and that of the projection at its end; `before` is the state before the step.
+    /// Factorizes the tangent of the step, and that of the projection at its end; `before` is the state before the
+    /// step.
     pub fn prepare(&mut self, before: &State) -> Result<(), Error> {
         let Self { integrator, system, from, after, span, flow, .. } = self;
         let Scratch { unknowns, moved_unknowns, constraint_momenta, gradients_after, mover, .. } = &mut *self.scratch;
@@ -121,7 +122,8 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
         Ok(())
     }
 
-    /// Sets the derivatives of the end before its projection: `ds' = F_z dz + F_s ds + F_u du`; in `sum` and `constraint_forces` it gathers what
+    /// Sets the derivatives of the end before its projection: `ds' = F_z dz + F_s ds + F_u du`; in `sum` and
+    /// `constraint_forces` it gathers what
     /// [`Self::project`] asks for.
     fn differentiate_end(&mut self, number: usize, own: &Variation) {
         let Self { integrator, system, step, from, after, span, .. } = self;
@@ -162,8 +164,8 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
         }
     }
 
-    /// Projects the derivatives of the end: `[M Gᵀ; G 0][dv; dν] = [dP − dGᵀ ν; −d(g_t + G v)]`, then `dP = M dv + Gᵀ ds + dGᵀ s` with the
-    /// steadied `s`.
+    /// Projects the derivatives of the end: `[M Gᵀ; G 0][dv; dν] = [dP − dGᵀ ν; −d(g_t + G v)]`, then
+    /// `dP = M dv + Gᵀ ds + dGᵀ s` with the steadied `s`.
     fn project(&mut self) -> Result<(), Error> {
         let Self { system, after, span, flow, .. } = self;
         let Scratch { sum, constraint_forces, gradients_after, variation, .. } = &mut *self.scratch;

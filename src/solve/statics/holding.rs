@@ -1,8 +1,11 @@
-//! Free motions that take no load and cost no energy, as the spin of a cable between two ball joints: the statics hold a coordinate of each where it is.
+//! Free motions that take no load and cost no energy, as the spin of a cable between two ball joints: the statics hold
+//! a coordinate of each where it is.
 //!
-//! The tangent of such a motion `v` is singular, `K v = 0`. A stiffness on the diagonal of a coordinate `i` that `v` changes makes it regular: `(K + k eᵢ eᵢᵀ) x = r`. Multiplied by `vᵀ` this is
-//! `k vᵢ xᵢ = vᵀ r`: where the residual does no work in the motion, coordinate `i` keeps its value and `x` solves `K x = r`. The residual has no term of `k`, so that Newton converges to equilibria of
-//! the mechanism as it is, and to none where a load acts along the motion (MECHANICS 7.13).
+//! The tangent of such a motion `v` is singular, `K v = 0`. A stiffness on the diagonal of a coordinate `i` that `v`
+//! changes makes it regular: `(K + k eᵢ eᵢᵀ) x = r`. Multiplied by `vᵀ` this is `k vᵢ xᵢ = vᵀ r`: where the residual
+//! does no work in the motion, coordinate `i` keeps its value and `x` solves `K x = r`. The residual has no term of
+//! `k`, so that Newton converges to equilibria of the mechanism as it is, and to none where a load acts along the
+//! motion (MECHANICS 7.13).
 
 use super::Statics;
 use super::equilibrium::{Equilibrium, Tangent};
@@ -11,17 +14,20 @@ use crate::mechanics::state::{HeldCoordinate, State};
 use crate::mechanics::system::System;
 use crate::solve::newton::Problem;
 
-/// The stiffness of a held coordinate over that of its own in the matrix: far above the round-off of a factorization, and so soft that a load far below all others makes corrections above the tolerance.
+/// The stiffness of a held coordinate over that of its own in the matrix: far above the round-off of a factorization,
+/// and so soft that a load far below all others makes corrections above the tolerance.
 const SOFT: f64 = 1e-6;
 /// Most motions that are held; each of them takes a factorization to find.
 const MOST: usize = 200;
-/// Components of a free motion below this share of the largest are round-off, which soft directions of slender beams amplify.
+/// Components of a free motion below this share of the largest are round-off, which soft directions of slender beams
+/// amplify.
 const NOTABLE: f64 = 1e-5;
 /// Work in a free motion below this share of the sum of its terms' sizes is round-off of these.
 const CANCELED: f64 = 1e-6;
 /// Work below this share of the largest stiffness of the matrix is round-off of the forces of stiff parts.
 const ROUND_OFF: f64 = 1e-14;
-/// How far the response of a held coordinate to its own stiffness may be from 1, which is the share of the motion's stiffness in the sum: the stress that Newton leaves in stiff parts may be a hundredth of the sum.
+/// How far the response of a held coordinate to its own stiffness may be from 1, which is the share of the motion's
+/// stiffness in the sum: the stress that Newton leaves in stiff parts may be a hundredth of the sum.
 const STIFF: f64 = 0.05;
 /// Held motions that a message names.
 const NAMED: usize = 3;
@@ -37,7 +43,8 @@ pub(super) struct Holding {
 }
 
 impl Statics {
-    /// Runs `search` without holding free motions, then, where it has failed for one, with. `search` must begin anew from the state that it is given.
+    /// Runs `search` without holding free motions, then, where it has failed for one, with. `search` must begin anew
+    /// from the state that it is given.
     pub(super) fn search_holding(
         &mut self,
         system: &System,
@@ -83,7 +90,8 @@ impl Statics {
         self.choose_held(system, state, time)
     }
 
-    /// Holds free motions of `state`, an equilibrium, whose matrix at Newton's last iterate is set: no load acts along them.
+    /// Holds free motions of `state`, an equilibrium, whose matrix at Newton's last iterate is set: no load acts along
+    /// them.
     ///
     /// # Errors
     /// A constraint is redundant, or Newton does not come back with the motions held.
@@ -149,7 +157,8 @@ impl Statics {
         Ok(())
     }
 
-    /// The free motion that a held coordinate stands for, in which it changes by 1 and the others that are held stand still. The matrix is set and factorized.
+    /// The free motion that a held coordinate stands for, in which it changes by 1 and the others that are held stand
+    /// still. The matrix is set and factorized.
     fn motion_of(&mut self, system: &System, held: HeldCoordinate, time: f64) -> Result<Vec<f64>, Error> {
         let mut motion = vec![0.0; system.coordinates() + system.constraints()];
         motion[held.index] = held.stiffness;
@@ -158,7 +167,8 @@ impl Statics {
         Ok(motion)
     }
 
-    /// Lets go of coordinates of the equilibrium `state` that a stiffness holds by now, as that of gravity holds a pendulum.
+    /// Lets go of coordinates of the equilibrium `state` that a stiffness holds by now, as that of gravity holds a
+    /// pendulum.
     pub(super) fn release_held(&mut self, system: &System, state: &mut State) {
         if state.held.is_empty() || self.linearize(system, state).is_err() {
             return;

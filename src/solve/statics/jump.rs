@@ -1,8 +1,8 @@
-//! Whether a static path jumps: Newton may land on another branch, beyond a limit point, where an increment of the loads is larger than what is left
-//! until there. Both ends are stable then, and nothing else tells.
+//! Whether a static path jumps: Newton may land on another branch, beyond a limit point, where an increment of the
+//! loads is larger than what is left until there. Both ends are stable then, and nothing else tells.
 //!
-//! A path that changes much faster than before is looked at in ever smaller parts of the increment, each time in the half that changes more: what a smooth
-//! path changes by falls with the part, a jump stays as it is.
+//! A path that changes much faster than before is looked at in ever smaller parts of the increment, each time in the
+//! half that changes more: what a smooth path changes by falls with the part, a jump stays as it is.
 
 use super::Statics;
 use crate::error::decimal;
@@ -13,8 +13,8 @@ use crate::mechanics::system::System;
 const SUDDEN: f64 = 4.0;
 /// A change below this size is no jump: lengths over the mechanism's size, slopes and angles in rad.
 const NOTABLE: f64 = 0.02;
-/// Halvings of the increment, and the share of its change that the last part keeps where there is a jump. A smooth path keeps 1/256; close to a limit
-/// point the change goes with the root of the distance: 1/16.
+/// Halvings of the increment, and the share of its change that the last part keeps where there is a jump. A smooth path
+/// keeps 1/256; close to a limit point the change goes with the root of the distance: 1/16.
 const HALVINGS: u32 = 8;
 const KEPT: f64 = 0.25;
 /// A part of the way, as a share of it, beyond which Newton does not fail for its size any more.
@@ -74,7 +74,8 @@ impl Statics {
         (distance(system, &first.1, &last.1) > KEPT * whole).then_some([first.0, last.0])
     }
 
-    /// Takes `state` from one share of the increment that has begun to another, in smaller parts where Newton needs them; returns whether there is a way.
+    /// Takes `state` from one share of the increment that has begun to another, in smaller parts where Newton needs
+    /// them; returns whether there is a way.
     fn follow(&mut self, system: &System, state: &mut State, (from, to): (f64, f64), time: f64) -> bool {
         let (mut share, mut part) = (from, to - from);
         while share < to {

@@ -1,8 +1,9 @@
 //! Equilibria: `dU/dq − F + Gᵀ λ = 0`, `g = 0`, each found from the one before.
 //!
-//! Where Newton does not get there in one go, loads, gravity, drives and moving frames are ramped from those of the last equilibrium (at first: from
-//! nothing) to the new ones. That finds the first equilibrium, and bridges jumps of loads later. What hangs and was drawn slack has no
-//! stiffness before it pulls: it is first let fall to where it hangs (relaxation.rs).
+//! Where Newton does not get there in one go, loads, gravity, drives and moving frames are ramped from those of the
+//! last equilibrium (at first: from nothing) to the new ones. That finds the first equilibrium, and bridges jumps of
+//! loads later. What hangs and was drawn slack has no stiffness before it pulls: it is first let fall to where it hangs
+//! (relaxation.rs).
 
 mod equilibrium;
 mod holding;
@@ -108,7 +109,8 @@ impl Statics {
     /// Finds the equilibrium of `time` (s) from `state` and writes it there, by a ramp where need be.
     ///
     /// # Errors
-    /// The ramp got stuck, or a part of the system can move freely; `state` is as it was but for the counts of iterations and rejections.
+    /// The ramp got stuck, or a part of the system can move freely; `state` is as it was but for the counts of
+    /// iterations and rejections.
     pub fn find(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
@@ -124,7 +126,8 @@ impl Statics {
         outcome
     }
 
-    /// Sets `next`, a copy of `drawn`, to the first equilibrium: by a ramp of what acts, or, where that finds none or an unstable one, by letting the system come to rest.
+    /// Sets `next`, a copy of `drawn`, to the first equilibrium: by a ramp of what acts, or, where that finds none or
+    /// an unstable one, by letting the system come to rest.
     fn find_first(&mut self, system: &System, drawn: &State, next: &mut State, time: f64) -> Result<(), Error> {
         self.stability.forget();
         self.leaves_unstable = false;
@@ -146,7 +149,8 @@ impl Statics {
         Ok(())
     }
 
-    /// Sets `next`, a copy of `drawn`, to an equilibrium of `time`, by a ramp or by relaxation, and judges its stability.
+    /// Sets `next`, a copy of `drawn`, to an equilibrium of `time`, by a ramp or by relaxation, and judges its
+    /// stability.
     fn ramp_or_relax(&mut self, system: &System, drawn: &State, next: &mut State, time: f64) -> Result<(), Error> {
         let ramped = self.ramp_to(system, next, time);
         let unstable = ramped.is_ok() && self.is_unstable(system, next);
@@ -168,7 +172,8 @@ impl Statics {
         }
     }
 
-    /// Sets `next`, a copy of `state`, to the equilibrium after it, and remarks what has become unstable or jumped on the way.
+    /// Sets `next`, a copy of `state`, to the equilibrium after it, and remarks what has become unstable or jumped on
+    /// the way.
     fn find_next(&mut self, system: &System, state: &State, next: &mut State, time: f64) -> Result<(), Error> {
         if self.stability.known().is_none_or(|known| known.time != state.time) {
             // A host has gone back.
@@ -212,7 +217,8 @@ impl Statics {
         }
     }
 
-    /// Looks whether the path has become unstable, or stable again, from `state`, of which `before` is known, to `next`.
+    /// Looks whether the path has become unstable, or stable again, from `state`, of which `before` is known, to
+    /// `next`.
     fn watch_stability(&mut self, system: &System, state: &State, next: &State, before: StabilityRecord) {
         let unstable_now = self.judge(system, next);
         if !self.stability.differs(before) {
@@ -275,8 +281,9 @@ impl Statics {
         unstable
     }
 
-    /// Judges the equilibrium `state`: whether it is unstable, by a count where it is not certain that it is stable. Not by the matrix that Newton leaves: that is of its last iterate but one, as drawn and
-    /// without the forces of constraints where one iteration is enough.
+    /// Judges the equilibrium `state`: whether it is unstable, by a count where it is not certain that it is stable.
+    /// Not by the matrix that Newton leaves: that is of its last iterate but one, as drawn and without the forces of
+    /// constraints where one iteration is enough.
     fn judge(&mut self, system: &System, state: &State) -> bool {
         self.assemble(system, state);
         // Without a factorization nothing is known.
@@ -302,7 +309,8 @@ impl Statics {
         self.kkt.factorize(system, state.time)
     }
 
-    /// Whether the system at `state` has a free part, or one that is held twice: the reason why no load, however small, can be borne.
+    /// Whether the system at `state` has a free part, or one that is held twice: the reason why no load, however small,
+    /// can be borne.
     ///
     /// # Errors
     /// It has one.
@@ -383,7 +391,8 @@ impl Statics {
 
     /// Solves for the equilibrium under the current excitation from `state` and writes it there, references carried on.
     fn solve(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
-        // Behind a limit point, or beside an unstable equilibrium, the fast tangent finds fewer of the equilibria that are far away.
+        // Behind a limit point, or beside an unstable equilibrium, the fast tangent finds fewer of the equilibria that
+        // are far away.
         if !self.leaves_unstable && self.iterate(system, state, time, Tangent::Fast).is_ok() {
             return Ok(());
         }
@@ -452,7 +461,8 @@ impl Integrator for Statics {
     }
 }
 
-/// What to report of a ramp that found no stable equilibrium and of the relaxation that followed. Of two failures the first one is about the system as drawn.
+/// What to report of a ramp that found no stable equilibrium and of the relaxation that followed. Of two failures the
+/// first one is about the system as drawn.
 fn after_relaxation(ramped: Result<(), Error>, relaxed: Result<(), Error>) -> Result<(), Error> {
     match (ramped, relaxed) {
         (Err(reason @ Error::RampStuck { .. }), Err(_)) => Err(reason),

@@ -1,7 +1,9 @@
-//! The first equilibrium of a system that has no stiffness as drawn: what hangs slack falls, without swinging, to where it hangs.
+//! The first equilibrium of a system that has no stiffness as drawn: what hangs slack falls, without swinging, to where
+//! it hangs.
 //!
-//! Pseudo-transient continuation: `[K + μ M, Gᵀ; G, 0]`, one linear solve a step, `μ` falling where the potential falls and rising
-//! where it does not. It ends where Newton without `μ` takes over. A motion that stays free is found by that.
+//! Pseudo-transient continuation: `[K + μ M, Gᵀ; G, 0]`, one linear solve a step, `μ` falling where the potential falls
+//! and rising where it does not. It ends where Newton without `μ` takes over. A motion that stays free is found by
+//! that.
 
 use super::{Equilibrium, LARGEST_TURN, Statics};
 use crate::error::{Error, decimal};
@@ -18,18 +20,19 @@ const NEAR: f64 = 1e-4;
 /// Factors by which `μ` falls after a good step and rises after a bad one.
 const FALL: f64 = 0.5;
 const RISE: f64 = 4.0;
-/// Largest `μ`, in that of the first step: where that is not enough it is drives and frames that move too far, and ever larger ones
-/// would only make multipliers grow that pass for stiffness.
+/// Largest `μ`, in that of the first step: where that is not enough it is drives and frames that move too far, and ever
+/// larger ones would only make multipliers grow that pass for stiffness.
 const MOST_DAMPING: f64 = 1e6;
-/// An equilibrium so far from the drawing is another one than was drawn: places over the system's size, slopes, angles and directors as they are.
-/// Of the axes of a body that turns by 53 degrees a component changes by 0.8.
+/// An equilibrium so far from the drawing is another one than was drawn: places over the system's size, slopes, angles
+/// and directors as they are. Of the axes of a body that turns by 53 degrees a component changes by 0.8.
 const FAR: f64 = 0.8;
 /// Shares of the way of drives and frames that are taken in one step.
 const LARGEST_SHARE: f64 = 0.05;
 const SMALLEST_SHARE: f64 = 1e-4;
 
 impl Statics {
-    /// Lets the system fall from `state` to the equilibrium under the whole excitation of `time`, s, and writes it there.
+    /// Lets the system fall from `state` to the equilibrium under the whole excitation of `time`, s, and writes it
+    /// there.
     ///
     /// # Errors
     /// It does not come to rest, or a part of it can move freely.
@@ -120,7 +123,8 @@ impl Statics {
     }
 }
 
-/// `μ` at which the acceleration of the whole system by its unbalanced forces makes a step of a tenth of its size, 1/s².
+/// `μ` at which the acceleration of the whole system by its unbalanced forces makes a step of a tenth of its size,
+/// 1/s².
 fn first_damping(system: &System, forces: &[f64]) -> f64 {
     let coordinates = system.coordinates();
     let mut ones = vec![0.0; coordinates];

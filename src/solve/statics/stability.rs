@@ -1,8 +1,9 @@
-//! Whether an equilibrium is stable: how many motions that the constraints allow release energy, counted by the inertia of the
-//! stiffness. Followed along a static path, the count changes where the path buckles.
+//! Whether an equilibrium is stable: how many motions that the constraints allow release energy, counted by the inertia
+//! of the stiffness. Followed along a static path, the count changes where the path buckles.
 //!
-//! What buckles, and when, is found from the softest motion of the unstable one: its eigenvalue there, and what the same motion costs at the
-//! stable one. Beside very stiff springs round-off may count a motion too many: the softest one then costs energy, and nothing is told.
+//! What buckles, and when, is found from the softest motion of the unstable one: its eigenvalue there, and what the
+//! same motion costs at the stable one. Beside very stiff springs round-off may count a motion too many: the softest
+//! one then costs energy, and nothing is told.
 
 use crate::error::decimal;
 use crate::mechanics::state::State;
@@ -110,8 +111,8 @@ impl Stability {
         });
     }
 
-    /// Remarks what has changed from `before` to the last equilibrium judged; `softest` is the softest motion of the unstable one of
-    /// the two, `state`, and `other` what that motion costs at the stable one, 1/s².
+    /// Remarks what has changed from `before` to the last equilibrium judged; `softest` is the softest motion of the
+    /// unstable one of the two, `state`, and `other` what that motion costs at the stable one, 1/s².
     pub fn remark(&mut self, system: &System, state: &State, before: StabilityRecord, softest: &Softest, other: f64) {
         let Some(now) = self.known else { return };
         let share = (other / (other - softest.eigenvalue)).clamp(0.0, 1.0);
@@ -147,7 +148,8 @@ fn moved(system: &System, state: &State, softest: &Softest) -> String {
     system.most_moved(&snapshot.of(system, state), &softest.shape).what
 }
 
-/// The softest motion about `state` of the system whose matrix `kkt` has and has factorized; it then has another one. None where it is not found.
+/// The softest motion about `state` of the system whose matrix `kkt` has and has factorized; it then has another one.
+/// None where it is not found.
 pub fn softest(system: &System, kkt: &mut Kkt, state: &State) -> Option<Softest> {
     let stiffness = kkt.blocks.symmetric_part();
     let drives = &state.prescribed.drives;

@@ -1,4 +1,5 @@
-//! Increments of a static path with switches: an equilibrium has what is engaged at its time, and what engages holds where the last equilibrium stands.
+//! Increments of a static path with switches: an equilibrium has what is engaged at its time, and what engages holds
+//! where the last equilibrium stands.
 
 use super::Statics;
 use crate::error::Error;

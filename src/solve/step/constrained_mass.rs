@@ -1,7 +1,9 @@
-//! `[M Gᵀ; G 0][v; ν] = [f; g]` with the constant mass matrix `M`, by what conditions see of it: `S ν = G M⁻¹ f − g` with `S = G M⁻¹ Gᵀ`, then `v = M⁻¹ (f − Gᵀ ν)`.
+//! `[M Gᵀ; G 0][v; ν] = [f; g]` with the constant mass matrix `M`, by what conditions see of it: `S ν = G M⁻¹ f − g`
+//! with `S = G M⁻¹ Gᵀ`, then `v = M⁻¹ (f − Gᵀ ν)`.
 //!
-//! `M⁻¹` is factorized once (mass_factor.rs), and what `S` needs of it is known then: how the coordinates that joints hold on to follow forces on each other. `S` has a row a
-//! condition, however long the beams are. Nothing else is kept from one system to the next.
+//! `M⁻¹` is factorized once (mass_factor.rs), and what `S` needs of it is known then: how the coordinates that joints
+//! hold on to follow forces on each other. `S` has a row a condition, however long the beams are. Nothing else is kept
+//! from one system to the next.
 
 use crate::math::blocks::Blocks;
 use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
@@ -11,11 +13,12 @@ use crate::solve::linear::mass_factor::MassFactor;
 use crate::solve::linear::{BACKWARD_ERROR, Singular};
 use std::ops::Range;
 
-/// Most conditions: `S` is full, and its factorization grows with their third power. Bodies on ball joints at the tip of a beam take fewer instructions a step than
-/// the general way with 51 conditions, more with 69.
+/// Most conditions: `S` is full, and its factorization grows with their third power. Bodies on ball joints at the tip
+/// of a beam take fewer instructions a step than the general way with 51 conditions, more with 69.
 pub const MOST_ROWS: usize = 60;
 
-/// Share of the largest velocities that a motion of this energy may have, below which terms of a condition are taken as round-off of other ones.
+/// Share of the largest velocities that a motion of this energy may have, below which terms of a condition are taken as
+/// round-off of other ones.
 const SMALLEST_SHARE: f64 = 1e-3;
 
 /// A column of `G`, or of what follows from it: of one joint.
@@ -77,7 +80,8 @@ pub struct ConstrainedMass {
 }
 
 impl ConstrainedMass {
-    /// For `system`, whose mass matrix is in `blocks`. None where there are too many conditions, or gears, or where something has no mass.
+    /// For `system`, whose mass matrix is in `blocks`. None where there are too many conditions, or gears, or where
+    /// something has no mass.
     pub fn new(system: &System, blocks: &Blocks) -> Option<Self> {
         let count = system.constraints();
         // The two sides of a gear would be two grips of one condition.
@@ -145,7 +149,8 @@ impl ConstrainedMass {
         })
     }
 
-    /// Solves for the right-hand side `right` in place; `gradients` are those of the conditions, `vector` is scratch memory, as long as the coordinates.
+    /// Solves for the right-hand side `right` in place; `gradients` are those of the conditions, `vector` is scratch
+    /// memory, as long as the coordinates.
     ///
     /// # Errors
     /// Conditions depend on each other, or nearly, or the solution is not accurate; `right` is as it was.
@@ -180,7 +185,8 @@ impl ConstrainedMass {
         Ok(())
     }
 
-    /// Sets `change` to the least change of `velocity`, in the kinetic energy, with which the conditions make `rates` of it, but for the last digits; `gradients` are those that
+    /// Sets `change` to the least change of `velocity`, in the kinetic energy, with which the conditions make `rates`
+    /// of it, but for the last digits; `gradients` are those that
     /// [`Self::solve`] was called with last.
     ///
     /// # Errors
@@ -291,8 +297,9 @@ impl ConstrainedMass {
         }
     }
 
-    /// Whether `G v − g` of the held velocities is round-off of its terms, with and without the conditions, or of those that any motion with the kinetic energy
-    /// `square`/2 may have: the velocity of a coordinate is at most the root of its mobility times that of `square`.
+    /// Whether `G v − g` of the held velocities is round-off of its terms, with and without the conditions, or of those
+    /// that any motion with the kinetic energy `square`/2 may have: the velocity of a coordinate is at most the root of
+    /// its mobility times that of `square`.
     fn is_accurate(&mut self, gradients: &[JointGradient], conditions: &[f64], square: f64) -> bool {
         self.lack(gradients, conditions);
         let least = SMALLEST_SHARE * square.sqrt();

@@ -11,7 +11,8 @@ const GOOD_STEPS: u32 = 5;
 
 /// Something that takes one step.
 pub trait Integrator {
-    /// Whether what happens within a step counts: its steps end where a load or a drive goes over from one piece to the next.
+    /// Whether what happens within a step counts: its steps end where a load or a drive goes over from one piece to the
+    /// next.
     const RESOLVES_TIME: bool = true;
 
     /// Takes `state` from its time to `end`, `step` s later.
@@ -20,7 +21,8 @@ pub trait Integrator {
     /// The step failed: `state` is as it was, but for the counts of iterations.
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error>;
 
-    /// Engages and releases what is to be so at `time`, s, the instant of `state` but for rounding. Returns whether anything changed.
+    /// Engages and releases what is to be so at `time`, s, the instant of `state` but for rounding. Returns whether
+    /// anything changed.
     ///
     /// # Errors
     /// What engages is redundant; callers must discard `state`.

@@ -16,7 +16,8 @@ pub const ITERATIONS: usize = 10;
 /// Most turns of a drive in an increment of a static analysis: an equilibrium is sought for every rad or two of them.
 const MOST_TURNS: f64 = 1000.0;
 
-/// Refuses drives that turn too often over `count` increments from `state` to `end`, s: their equilibria would be sought for hours.
+/// Refuses drives that turn too often over `count` increments from `state` to `end`, s: their equilibria would be
+/// sought for hours.
 ///
 /// # Errors
 /// One does.
@@ -34,8 +35,8 @@ pub fn check_drives(system: &System, state: &State, end: f64, count: u64) -> Res
     Ok(())
 }
 
-/// Refuses moving frames that turn too far over the `step` s from `state` to `end`, where they move as `prescribed`: what
-/// hangs on them may find another root. Returns the largest turn over what it may be.
+/// Refuses moving frames that turn too far over the `step` s from `state` to `end`, where they move as `prescribed`:
+/// what hangs on them may find another root. Returns the largest turn over what it may be.
 ///
 /// # Errors
 /// One does.

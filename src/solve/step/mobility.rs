@@ -1,5 +1,6 @@
-//! How easily a step moves a spring or damper: `J (M + h²/4 K)⁻¹ Jᵀ` of what it measures, on the motions that the constraints allow. One over it is the mass, or
-//! the moment of inertia, that a damper has to stop within a step; the stiffness of a beam holds the little inertia of its end.
+//! How easily a step moves a spring or damper: `J (M + h²/4 K)⁻¹ Jᵀ` of what it measures, on the motions that the
+//! constraints allow. One over it is the mass, or the moment of inertia, that a damper has to stop within a step; the
+//! stiffness of a beam holds the little inertia of its end.
 
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
@@ -9,11 +10,12 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::newton::kkt::Kkt;
 
-/// Most numbers that all solves together may touch: with thousands of springs on thousands of elements, mobilities would take longer than a run.
+/// Most numbers that all solves together may touch: with thousands of springs on thousands of elements, mobilities
+/// would take longer than a run.
 const MOST_WORK: usize = 20_000_000;
 
-/// Sets the mobility of all springs of `system`, which may all be given a damper, in steps of `step` s from the state as drawn, `state`. Where
-/// constraints are redundant none is known, and the start says so.
+/// Sets the mobility of all springs of `system`, which may all be given a damper, in steps of `step` s from the state
+/// as drawn, `state`. Where constraints are redundant none is known, and the start says so.
 pub fn set_mobilities(system: &mut System, state: &State, step: f64) {
     let size = system.coordinates() + system.constraints();
     if system.springs.is_empty() || system.springs.len() * size > MOST_WORK {

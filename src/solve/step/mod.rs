@@ -1,4 +1,5 @@
-//! Steps as all integrators share them: their halving, their length, their limits, and the velocities and accelerations at their ends.
+//! Steps as all integrators share them: their halving, their length, their limits, and the velocities and accelerations
+//! at their ends.
 
 pub mod constrained_mass;
 pub mod integrator;

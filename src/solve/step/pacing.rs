@@ -1,7 +1,8 @@
 //! Steps as long as an asked accuracy allows (MECHANICS 7.9).
 //!
-//! A step is as long as its own error allows, which is a share of the accuracy times the range of the motion so far: of a few periods of an oscillation the errors add up to about the accuracy, of many periods to
-//! more, which the estimate of the run tells. A step whose error is too large is taken again, shorter.
+//! A step is as long as its own error allows, which is a share of the accuracy times the range of the motion so far: of
+//! a few periods of an oscillation the errors add up to about the accuracy, of many periods to more, which the estimate
+//! of the run tells. A step whose error is too large is taken again, shorter.
 
 use super::integrator::Integrator;
 use crate::error::Error;
@@ -12,7 +13,8 @@ use crate::mechanics::system::{AT_BREAK, System};
 
 /// First step, as a share of the duration.
 const FIRST: f64 = 1e-6;
-/// The steps grow by at most this factor; and while little is known of the motion, or their errors are this small a share of those allowed.
+/// The steps grow by at most this factor; and while little is known of the motion, or their errors are this small a
+/// share of those allowed.
 const GROWTH: f64 = 1.5;
 const FIRST_GROWTH: f64 = 4.0;
 const SMALL: f64 = 0.05;
@@ -25,14 +27,16 @@ const TOO_LARGE: f64 = 2.0;
 const NEAR_LIMIT: f64 = 0.9;
 /// What of the error of the last step counts for the next one at least.
 const MEMORY: f64 = 0.9;
-/// Share of the whole error that a step may have, over its share of the duration: where the third derivative of an oscillation passes through zero the steps become longer, and the
-/// error of the motion half as much again.
+/// Share of the whole error that a step may have, over its share of the duration: where the third derivative of an
+/// oscillation passes through zero the steps become longer, and the error of the motion half as much again.
 const EVEN_SHARE: f64 = 0.5;
-/// Share of the whole error that every step may have, however short it is, over the root of the accuracy: oscillations of less than this do not shorten steps. The root makes
-/// the error of the motion, of second order in the steps, follow the accuracy, where that of a step is of third order. 5e-4 of the whole error with the default accuracy.
+/// Share of the whole error that every step may have, however short it is, over the root of the accuracy: oscillations
+/// of less than this do not shorten steps. The root makes the error of the motion, of second order in the steps, follow
+/// the accuracy, where that of a step is of third order. 5e-4 of the whole error with the default accuracy.
 const LEAST_SHARE: f64 = 0.015;
-/// Steps shorter than one of so many in the duration may have a larger share, by the square of how much shorter they are, up to this one: vibrations that are fast for the whole motion then hold
-/// steps up less, and are passed over where they are small.
+/// Steps shorter than one of so many in the duration may have a larger share, by the square of how much shorter they
+/// are, up to this one: vibrations that are fast for the whole motion then hold steps up less, and are passed over
+/// where they are small.
 const MANY_STEPS: f64 = 20_000.0;
 const SHORT_SHARE: f64 = 0.02;
 /// Ranges so far are at least this, of the system's size or rad.
@@ -56,14 +60,16 @@ const TIME_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// How steps are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pacing {
-    /// Error of the places, slopes and angles that the whole motion may have because of its steps, as a share of its range.
+    /// Error of the places, slopes and angles that the whole motion may have because of its steps, as a share of its
+    /// range.
     pub accuracy: f64,
     /// Length of the motion, s.
     pub duration: f64,
 }
 
 impl Pacing {
-    /// The error of a step of `step` s from `time`, `error` of places over the system's size and of slopes and angles, over that allowed.
+    /// The error of a step of `step` s from `time`, `error` of places over the system's size and of slopes and angles,
+    /// over that allowed.
     fn ratio(self, pace: &Pace, error: [f64; 2], step: f64, time: f64) -> f64 {
         let Self { accuracy, duration } = self;
         let fading = (1.0 - (time - pace.since) / (STARTING * duration)).max(0.0);
@@ -92,7 +98,8 @@ impl Pacing {
         }
         pace.damping_step = f64::max(FADING * pace.damping_step, step);
         if error.is_some() {
-            // The error of an oscillation passes through zero twice a period: steps that followed it would be longest there, and the error of the motion be more.
+            // The error of an oscillation passes through zero twice a period: steps that followed it would be longest
+            // there, and the error of the motion be more.
             let before = pace.ratio;
             pace.ratio = f64::max(ratio, MEMORY * before);
             let most = if before > 0.0 && pace.ratio > SMALL { GROWTH } else { FIRST_GROWTH };
@@ -124,7 +131,8 @@ impl Pacing {
         pace.ratio = 0.0;
     }
 
-    /// Takes `state` one step on in an interval from `begin` to `end`, s; returns whether the end is reached. Breaks on the way end a step.
+    /// Takes `state` one step on in an interval from `begin` to `end`, s; returns whether the end is reached. Breaks on
+    /// the way end a step.
     ///
     /// # Errors
     /// The shortest step fails; `state` is where the last good one ended.

@@ -48,7 +48,8 @@ impl Projection {
         (&self.gradients, &self.right[system.coordinates()..])
     }
 
-    /// Sets the velocities of `state` to those that belong to its momentum and that the constraints allow; `frames` is scratch memory.
+    /// Sets the velocities of `state` to those that belong to its momentum and that the constraints allow; `frames` is
+    /// scratch memory.
     ///
     /// # Errors
     /// The constraints are redundant.
@@ -85,8 +86,8 @@ impl Projection {
         Ok(())
     }
 
-    /// Changes `velocity` to the nearest one, in the kinetic energy, of which the conditions of the last call make `rates`, but for the last digits; `right` is scratch memory, as long
-    /// as coordinates and conditions.
+    /// Changes `velocity` to the nearest one, in the kinetic energy, of which the conditions of the last call make
+    /// `rates`, but for the last digits; `right` is scratch memory, as long as coordinates and conditions.
     ///
     /// # Errors
     /// The matrix of the last call gives no solution.

@@ -1,4 +1,5 @@
-//! Accelerations and multipliers at an instant (MECHANICS 7.5): `[M Gᵀ; G 0][a; λ] = [F − dU/dq − gyro; −(dG/dt) v − g_tt]`.
+//! Accelerations and multipliers at an instant (MECHANICS 7.5):
+//! `[M Gᵀ; G 0][a; λ] = [F − dU/dq − gyro; −(dG/dt) v − g_tt]`.
 //!
 //! They belong to the very time of the state, unlike what a step computes with. Only outputs ask for them.
 

@@ -1,7 +1,8 @@
 //! Switches in a motion: at an instant, joints, locks and drives engage or release (MECHANICS 7.10).
 //!
-//! What is released goes on as it moves. What engages stops its sides relative to each other at once, an impact without rebound: the velocities behind it are those
-//! nearest to the ones before it, in the metric of the kinetic energy, that the constraints allow, `M (v⁺ − v⁻) = −Gᵀ ν`. The impact takes the kinetic energy of the change,
+//! What is released goes on as it moves. What engages stops its sides relative to each other at once, an impact without
+//! rebound: the velocities behind it are those nearest to the ones before it, in the metric of the kinetic energy, that
+//! the constraints allow, `M (v⁺ − v⁻) = −Gᵀ ν`. The impact takes the kinetic energy of the change,
 //! `½ (v⁺ − v⁻)ᵀ M (v⁺ − v⁻)`; what drives and moving frames hold in motion gives `νᵀ ∂g/∂t` in addition.
 
 use super::projection::Projection;
@@ -14,12 +15,14 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::newton::kkt::Kkt;
 
-/// How far the neighboring state of an impact is moved, as [`System::motion_size`] measures: so little that it is linear.
+/// How far the neighboring state of an impact is moved, as [`System::motion_size`] measures: so little that it is
+/// linear.
 const REACH: f64 = 1e-5;
 /// Largest multiple of the error that it is moved by: an error this far below [`REACH`] is round-off.
 const LARGEST_MULTIPLE: f64 = 1e3;
 
-/// Engages and releases what is to be so at `time`, s, the instant of `state` but for rounding; `kkt` is scratch memory. Returns whether anything changed.
+/// Engages and releases what is to be so at `time`, s, the instant of `state` but for rounding; `kkt` is scratch
+/// memory. Returns whether anything changed.
 ///
 /// # Errors
 /// What engages is redundant, or whether it engages is not known: the error names it.
@@ -43,7 +46,8 @@ pub fn switch(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> R
     Ok(true)
 }
 
-/// The state that lies a small multiple of the time-step error from `state`, before an impact; and the multiple. None: there is no error, or it has no bound.
+/// The state that lies a small multiple of the time-step error from `state`, before an impact; and the multiple. None:
+/// there is no error, or it has no bound.
 fn neighbor(system: &System, state: &State) -> Option<(State, f64)> {
     if !state.time_error.is_known() {
         return None;

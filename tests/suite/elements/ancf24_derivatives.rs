@@ -1,6 +1,6 @@
-//! Force, tangent, damping and mass of ANCF24 must be the derivatives of what MECHANICS 10 defines, found here by automatic
-//! differentiation of the oracle's strains: straight, curved, pretwisted, sheared references, all laws. A dropped or wrong
-//! term shows at 1e-3 or more; the bound is rounding: 1e-9 of the largest entry.
+//! Force, tangent, damping and mass of ANCF24 must be the derivatives of what MECHANICS 10 defines, found here by
+//! automatic differentiation of the oracle's strains: straight, curved, pretwisted, sheared references, all laws. A
+//! dropped or wrong term shows at 1e-3 or more; the bound is rounding: 1e-9 of the largest entry.
 
 use crate::elements::ancf24_oracle::{self as oracle, Coordinates, DAMPING, DENSITY, LAWS};
 use crate::random::Random;
@@ -49,7 +49,8 @@ impl Case {
         oracle::energy(&self.law, &self.reference, q.as_slice())
     }
 
-    /// Stresses of `strains` at the middle of a step, worked by the strains at `middle + x`: the force is its derivative by x at 0.
+    /// Stresses of `strains` at the middle of a step, worked by the strains at `middle + x`: the force is its
+    /// derivative by x at 0.
     fn virtual_work(
         &self,
         start: &Coordinates,
@@ -100,7 +101,8 @@ fn check_gradient_and_hessian() {
     }
 }
 
-/// As drawn, an element of any shape has no strain, no energy and no force at all: its strains are differences of the same products.
+/// As drawn, an element of any shape has no strain, no energy and no force at all: its strains are differences of the
+/// same products.
 #[test]
 fn undeformed_elements_are_free_of_stress() {
     for case in cases(33) {
@@ -110,7 +112,8 @@ fn undeformed_elements_are_free_of_stress() {
     }
 }
 
-/// Over a step the stresses are the means of its ends'; the tangent is twice the derivative by the coordinates at its end (MECHANICS 10.5).
+/// Over a step the stresses are the means of its ends'; the tangent is twice the derivative by the coordinates at its
+/// end (MECHANICS 10.5).
 #[test]
 fn force_and_tangent_over_a_step() {
     deep(check_force_and_tangent_over_a_step);
@@ -137,7 +140,8 @@ fn check_force_and_tangent_over_a_step() {
     }
 }
 
-/// The force over a step works by the increment what the energy increases by, however large the step; the tolerance is rounding of the energies.
+/// The force over a step works by the increment what the energy increases by, however large the step; the tolerance is
+/// rounding of the energies.
 #[test]
 fn work_over_a_step_is_the_increment_of_the_energy() {
     let mut random = Random(37);
@@ -179,7 +183,8 @@ fn check_damping_over_a_step() {
     }
 }
 
-/// Viscous force at an instant, the derivative of Rayleigh's function by the velocities, and its own by coordinates and velocities.
+/// Viscous force at an instant, the derivative of Rayleigh's function by the velocities, and its own by coordinates and
+/// velocities.
 #[test]
 fn damping_at_an_instant() {
     deep(check_damping_at_an_instant);
@@ -212,7 +217,8 @@ fn check_damping_at_an_instant() {
     }
 }
 
-/// The kinetic energy is that of all points of the volume, of a rectangle that is not a square; and weight pulls at the mass.
+/// The kinetic energy is that of all points of the volume, of a rectangle that is not a square; and weight pulls at the
+/// mass.
 #[test]
 fn mass_and_weight() {
     let element = oracle::element(LAWS[0], &oracle::straight());

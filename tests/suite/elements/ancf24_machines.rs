@@ -1,6 +1,6 @@
-//! ANCF24 in machines: welded to ANCF14, round a corner, what its clamp and its sections bear, each against statics by hand in the small.
-//! Sections that turn linearly make deflections of order 2, without any error at nodes in torsion and tension; what is extrapolated from two
-//! meshes is of order 4, the square of the coarser error.
+//! ANCF24 in machines: welded to ANCF14, round a corner, what its clamp and its sections bear, each against statics by
+//! hand in the small. Sections that turn linearly make deflections of order 2, without any error at nodes in torsion
+//! and tension; what is extrapolated from two meshes is of order 4, the square of the coarser error.
 
 use crate::curves::{Curves, load};
 use crate::running::{value, vector};
@@ -24,7 +24,8 @@ use ancf14::solve::statics::Statics;
 
 const ANCF24: Elements = Elements::Ancf24 { poisson: false, shear: Shear::Section };
 
-/// Displacement and turn of the end of a beam of 1 m along x of two halves welded end to end, the first one clamped, under a force and moment there.
+/// Displacement and turn of the end of a beam of 1 m along x of two halves welded end to end, the first one clamped,
+/// under a force and moment there.
 fn end_of_two(kinds: [Elements; 2], elements: usize, force: Vec3, moment: Vec3) -> (Vec3, Vec3) {
     let mut builder = SystemBuilder::default();
     let [first, second] = [0, 1].map(|half| {
@@ -45,7 +46,8 @@ fn end_of_two(kinds: [Elements; 2], elements: usize, force: Vec3, moment: Vec3) 
         gear: None,
         holding: None,
     });
-    // What is tied is rigid: on a section that is not, a torque works on r_y alone and turns it against r_z (MECHANICS 10.7).
+    // What is tied is rigid: on a section that is not, a torque works on r_y alone and turns it against r_z (MECHANICS
+    // 10.7).
     builder.tied(&builder.section_at(second, 1.0), &pose);
     machines::load(&mut builder, second, 1.0, force, moment);
     builder.add_sensor(second, 1.0);
@@ -56,7 +58,8 @@ fn end_of_two(kinds: [Elements; 2], elements: usize, force: Vec3, moment: Vec3) 
     (pose.place - Vec3::x(), rotation_vector_near(&pose.axes, &Vec3::zeros()))
 }
 
-/// Half ANCF14, half ANCF24, either first: the end moves and turns as that of one beam, whose second half shears besides, `F/(2 G' A)` where it is ANCF24.
+/// Half ANCF14, half ANCF24, either first: the end moves and turns as that of one beam, whose second half shears
+/// besides, `F/(2 G' A)` where it is ANCF24.
 #[test]
 fn beams_of_both_kinds_bend_as_one() {
     let straight = ancf14(Strain::Small, Twist::Linear);
@@ -142,8 +145,9 @@ tolerance = {tolerance}
 
 const STRAIGHT: &str = "elements = 8\nfrom = [0, 0, 0]\nto = [1, 0, 0]";
 
-/// The clamp bears the load and its moment about it, at the deformed place, 7 cm away from where it was drawn: loads are in balance with the reactions,
-/// whatever the mesh. The tolerance is the round-off of places, 1e-16 m, times the 1e7 N/m of an element's shear, and some.
+/// The clamp bears the load and its moment about it, at the deformed place, 7 cm away from where it was drawn: loads
+/// are in balance with the reactions, whatever the mesh. The tolerance is the round-off of places, 1e-16 m, times the
+/// 1e7 N/m of an element's shear, and some.
 #[test]
 fn a_clamp_bears_the_loads() {
     let (force, moment) = (Vec3::new(30.0, 60.0, -80.0), Vec3::new(8.0, -5.0, 6.0));
@@ -162,8 +166,9 @@ fn a_clamp_bears_the_loads() {
     assert!((vector(&simulation, "end.position") - Vec3::x()).norm() > 0.05);
 }
 
-/// In the small: force and moments at the middle of an element, where linear sections have the moment of the load exactly, and of pure moments anywhere;
-/// and their strains by the law. The bound is the square of the end's turn, 1e-3, and Newton's.
+/// In the small: force and moments at the middle of an element, where linear sections have the moment of the load
+/// exactly, and of pure moments anywhere; and their strains by the law. The bound is the square of the end's turn,
+/// 1e-3, and Newton's.
 #[test]
 fn sections_bear_the_loads() {
     let (e, g) = (2e11, 8e10);
@@ -198,7 +203,8 @@ fn sections_bear_the_loads() {
                 assert!((found - expected).abs() < 1e-3 * scale, "{text}: {list:?}");
             }
         }
-        // The largest stress of the outline: tension and bending by the section's moduli, torque by its own times √3 (von Mises).
+        // The largest stress of the outline: tension and bending by the section's moduli, torque by its own times √3
+        // (von Mises).
         let [force, torque, about_y, about_z] = expected.map(f64::abs);
         let normal =
             force / section.area + about_y * 0.01 / section.second_moment_y + about_z * 0.005 / section.second_moment_z;
@@ -211,7 +217,8 @@ fn sections_bear_the_loads() {
     }
 }
 
-/// A load along the beam against its weight cancels it to round-off, in all coordinates; and the weight is that of its mass.
+/// A load along the beam against its weight cancels it to round-off, in all coordinates; and the weight is that of its
+/// mass.
 #[test]
 fn a_load_along_a_beam_cancels_its_weight() {
     let weight = 7800.0 * 2e-4 * 9.81;
@@ -225,12 +232,14 @@ fn a_load_along_a_beam_cancels_its_weight() {
         ["end.displacement", "clamp.reaction_force"].map(|name| vector(&simulation, name))
     });
     println!("hanging {hanging:?}, lifted {lifted:?}");
-    // Clamped, at the deformed place: the reaction is all of the weight. Round-off of 15 N, on a compliance of 2.5e-4 m/N.
+    // Clamped, at the deformed place: the reaction is all of the weight. Round-off of 15 N, on a compliance of 2.5e-4
+    // m/N.
     assert!(hanging[0].norm() > 1e-4 && (hanging[1] - Vec3::z() * weight).norm() < 1e-9);
     assert!(lifted[0].norm() < 1e-13 && lifted[1].norm() < 1e-9);
 }
 
-/// Two pieces, 1 m along x and 3 m along y, with a load across their plane at the end: bending, torsion of the first, shear of both, by hand.
+/// Two pieces, 1 m along x and 3 m along y, with a load across their plane at the end: bending, torsion of the first,
+/// shear of both, by hand.
 #[test]
 fn a_corner_carries_its_load() {
     let (force, e) = (1e-3, 2e11);
@@ -259,7 +268,8 @@ fn a_corner_carries_its_load() {
 
 const CANTILEVER: &str = include_str!("../../../models/cantilever.toml");
 
-/// `--set arm.element=ancf24` leaves aside what the file says for the other kind; what the file itself says of both, or what is set of both, is a mistake.
+/// `--set arm.element=ancf24` leaves aside what the file says for the other kind; what the file itself says of both, or
+/// what is set of both, is a mistake.
 #[test]
 fn the_element_is_set_from_outside() {
     let text =
@@ -285,8 +295,9 @@ fn the_element_is_set_from_outside() {
     assert_eq!(machines::ancf14_elements(simulation.system()).count(), 8);
 }
 
-/// A section that turns by more than half a radian in a step could end on another root of its joints: the step is halved, and the turn that the
-/// drive prescribes is reached all the same. The tangent of this beam, along the axis of its spin, does not turn at all.
+/// A section that turns by more than half a radian in a step could end on another root of its joints: the step is
+/// halved, and the turn that the drive prescribes is reached all the same. The tangent of this beam, along the axis of
+/// its spin, does not turn at all.
 #[test]
 fn sections_that_turn_too_far_in_a_step_make_it_smaller() {
     let text = r#"format = 1
@@ -330,8 +341,8 @@ stop = 0.02
     assert!((fast.last("turn.angle") - 8.0).abs() < 1e-9);
 }
 
-/// Generalized-alpha loses energy; where it gains some, because the stiff motions of sections that spin by 0.2 rad a step are beyond it, the run
-/// says so (MECHANICS 10.9). The energy of `conserving` stays, and there is nothing to say.
+/// Generalized-alpha loses energy; where it gains some, because the stiff motions of sections that spin by 0.2 rad a
+/// step are beyond it, the run says so (MECHANICS 10.9). The energy of `conserving` stays, and there is nothing to say.
 #[test]
 fn energy_that_grows_is_warned_of() {
     let text = r#"format = 1
@@ -369,10 +380,11 @@ output_step = 0.1
     assert!(grown.contains("the integrator has gained"), "{grown}");
 }
 
-/// A shaft that is wound up by four half turns buckles: when, is interpolated from what the motion that leaves the one equilibrium costs at the
-/// other, where all its sections have turned. They are directions in space: taken along unturned, the motion would shear them, and the critical
-/// time would come out at the end of any step, 8 % late here. Of ANCF14, whose sections an angle turns, it is right as it is; with shear the
-/// shaft gives way 0.6 % sooner, and linear between steps of a tenth both are 1 % off.
+/// A shaft that is wound up by four half turns buckles: when, is interpolated from what the motion that leaves the one
+/// equilibrium costs at the other, where all its sections have turned. They are directions in space: taken along
+/// unturned, the motion would shear them, and the critical time would come out at the end of any step, 8 % late here.
+/// Of ANCF14, whose sections an angle turns, it is right as it is; with shear the shaft gives way 0.6 % sooner, and
+/// linear between steps of a tenth both are 1 % off.
 #[test]
 fn critical_times_are_found_though_sections_turn() {
     let text = r#"format = 1

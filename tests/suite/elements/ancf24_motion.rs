@@ -1,5 +1,6 @@
-//! ANCF24 in motion. Its strains are products of gradients, which a rigid motion leaves alone to round-off; over a step its force works what
-//! the energy increases by, whatever the step (Simo and Tarnow): what physics conserves is conserved to round-off, not in a band.
+//! ANCF24 in motion. Its strains are products of gradients, which a rigid motion leaves alone to round-off; over a step
+//! its force works what the energy increases by, whatever the step (Simo and Tarnow): what physics conserves is
+//! conserved to round-off, not in a band.
 
 use crate::elements::ancf24_oracle::{self as oracle, DAMPING, LAWS};
 use crate::motion::dynamics::{free, spinning_design};
@@ -33,8 +34,8 @@ fn moved(q: &oracle::Coordinates, turn: &Mat3, shift: &Vec3) -> oracle::Coordina
     sum
 }
 
-/// 25 turns about an oblique axis in steps of 0.3 rad: the energy of a deformed element of any law and reference, within the rounding of
-/// some 500 products with matrices.
+/// 25 turns about an oblique axis in steps of 0.3 rad: the energy of a deformed element of any law and reference,
+/// within the rounding of some 500 products with matrices.
 #[test]
 fn many_turns_do_not_strain() {
     let mut random = Random(51);
@@ -55,7 +56,8 @@ fn many_turns_do_not_strain() {
     }
 }
 
-/// A turn of 1.2 rad and a shift of 1 m within 1 ms are not damped at all: round-off of strains that a strain of 1 would drive to 1 here.
+/// A turn of 1.2 rad and a shift of 1 m within 1 ms are not damped at all: round-off of strains that a strain of 1
+/// would drive to 1 here.
 #[test]
 fn rigid_motion_is_not_damped() {
     let mut random = Random(53);
@@ -77,8 +79,8 @@ fn rigid_motion_is_not_damped() {
     }
 }
 
-/// Whatever the motion, damping takes power out of it: as a form in all velocities it has no negative direction but for the rounding of its
-/// 6 rigid motions, and no more than these are free.
+/// Whatever the motion, damping takes power out of it: as a form in all velocities it has no negative direction but for
+/// the rounding of its 6 rigid motions, and no more than these are free.
 #[test]
 fn damping_dissipates() {
     let mut random = Random(55);
@@ -125,8 +127,9 @@ fn spinning(elements: Elements) -> (System, State) {
     free(&BeamDesign { elements, ..spinning_design() })
 }
 
-/// The conserving rule: momenta and energy to the round-off of 1000 steps, 1e-13 each at most (ANCF14 keeps its axial energy alone so, all of it
-/// to 1e-3). The elastic energy swings by some thousandths of the whole: it is not for want of exchange that the sum stays.
+/// The conserving rule: momenta and energy to the round-off of 1000 steps, 1e-13 each at most (ANCF14 keeps its axial
+/// energy alone so, all of it to 1e-3). The elastic energy swings by some thousandths of the whole: it is not for want
+/// of exchange that the sum stays.
 #[test]
 fn free_spinning_beam_keeps_momenta_and_energy() {
     for elements in KINDS {
@@ -146,8 +149,8 @@ fn free_spinning_beam_keeps_momenta_and_energy() {
     }
 }
 
-/// Generalized-alpha: linear momentum to round-off, angular momentum and energy lost by second order, the energy's bound that of ANCF14 in
-/// generalized_alpha.rs; the ratio as above.
+/// Generalized-alpha: linear momentum to round-off, angular momentum and energy lost by second order, the energy's
+/// bound that of ANCF14 in generalized_alpha.rs; the ratio as above.
 #[test]
 fn generalized_alpha_loses_little() {
     for radius in [0.8, 1.0] {
@@ -169,8 +172,8 @@ fn generalized_alpha_loses_little() {
     }
 }
 
-/// A section that is turned by more than 143 degrees, `1 + cos = 0.2`, against the other end of its element is told, before what is linear between them
-/// vanishes in the middle: bent or twisted, whichever it is.
+/// A section that is turned by more than 143 degrees, `1 + cos = 0.2`, against the other end of its element is told,
+/// before what is linear between them vanishes in the middle: bent or twisted, whichever it is.
 #[test]
 fn too_much_turning_in_an_element_is_told() {
     let (system, drawn) = free(&BeamDesign { elements: KINDS[0], ..design("beam", 1) });

@@ -1,5 +1,6 @@
 //! ANCF24's strains written a second time, straight from the definition, over any dual number: `F = (∂r/∂X)(∂r0/∂X)⁻¹`,
-//! `E = (Fᵀ F − 1)/2` in the section's axes. It shares no formula with the closed form, which has neither `F` nor a base inverted with `q`.
+//! `E = (Fᵀ F − 1)/2` in the section's axes. It shares no formula with the closed form, which has neither `F` nor a
+//! base inverted with `q`.
 
 use crate::random::Random;
 use crate::support::gauss::gauss;
@@ -38,7 +39,8 @@ pub fn straight() -> Coordinates {
     q
 }
 
-/// A place in space, slopes and sections bent, stretched, sheared and twisted at random against [`straight`], turned as a whole.
+/// A place in space, slopes and sections bent, stretched, sheared and twisted at random against [`straight`], turned as
+/// a whole.
 pub fn deformed(random: &mut Random, size: f64) -> Coordinates {
     let (turn, place) = (random.rotation(), random.vector());
     let mut q = straight();
@@ -192,7 +194,8 @@ pub fn kinetic_energy(velocity: &Coordinates) -> f64 {
     points(4).into_iter().map(|([xi, y, z], share)| at(((xi, y, z), share))).sum()
 }
 
-/// Axes `t, y, z` of a section by its `r_y` and `r_z`: y along r_y, z along what of r_z is perpendicular to it (MECHANICS 10.7).
+/// Axes `t, y, z` of a section by its `r_y` and `r_z`: y along r_y, z along what of r_z is perpendicular to it
+/// (MECHANICS 10.7).
 pub fn axes<D: Scalar>(r_y: &[D; 3], r_z: &[D; 3]) -> [[D; 3]; 3] {
     let unit = |v: &[D; 3]| scale(v, dot(v, v).sqrt().recip());
     let y = unit(r_y);

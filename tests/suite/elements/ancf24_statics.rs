@@ -1,4 +1,5 @@
-//! ANCF24 at rest: free of stress as drawn, right in the limit of fine meshes, with the orders that a section linear across and a cubic axis have.
+//! ANCF24 at rest: free of stress as drawn, right in the limit of fine meshes, with the orders that a section linear
+//! across and a cubic axis have.
 
 use crate::curves::load;
 use crate::running::{value, vector};
@@ -24,8 +25,9 @@ fn frequencies(beam: &BeamDesign, count: usize) -> Vec<f64> {
     found.modes.iter().filter(|mode| mode.kind == Kind::Vibration).map(|mode| mode.eigenvalue.sqrt()).collect()
 }
 
-/// The first `count` bending frequencies of a Timoshenko cantilever of 1 m, rad/s: zeros of the moment and force at the free end that a moment and a force at the
-/// clamp leave, by the exact solution along the beam. `[EI, shear stiffness, rho A, rho I]`.
+/// The first `count` bending frequencies of a Timoshenko cantilever of 1 m, rad/s: zeros of the moment and force at the
+/// free end that a moment and a force at the clamp leave, by the exact solution along the beam.
+/// `[EI, shear stiffness, rho A, rho I]`.
 fn timoshenko([bending, shear, mass, inertia]: [f64; 4], count: usize) -> Vec<f64> {
     let determinant = |omega: f64| {
         let square = omega * omega;
@@ -79,9 +81,10 @@ fn error(found: &[f64], exact: f64) -> f64 {
     errors.fold(f64::INFINITY, |best, error| if error.abs() < f64::abs(best) { error } else { best })
 }
 
-/// Vibrations of a thick cantilever: bending is Timoshenko's, with the law's own shear modulus and no shear factor, twice with each moment of inertia;
-/// sections linear across and along make it and torsion of order 2, from above. The error of torsion is `(π h/2)²/24`, that of linear elements;
-/// what extrapolation leaves is of order 4: the square of the coarser error.
+/// Vibrations of a thick cantilever: bending is Timoshenko's, with the law's own shear modulus and no shear factor,
+/// twice with each moment of inertia; sections linear across and along make it and torsion of order 2, from above. The
+/// error of torsion is `(π h/2)²/24`, that of linear elements; what extrapolation leaves is of order 4: the square of
+/// the coarser error.
 #[test]
 fn cantilever_frequencies_converge() {
     let kinds = [(false, Shear::Section), (false, Shear::Continuum), (true, Shear::Continuum)];
@@ -139,8 +142,8 @@ fn tip(elements: usize, overrides: &[(&str, &str)]) -> [f64; 2] {
     [2, 3].map(|axis| value(&simulation, &format!("tip.displacement[{axis}]")))
 }
 
-/// 8.896 N at 45 degrees against MECHANICS 10.8, whose numbers have four digits: with all coordinates of the clamped node held they are the same
-/// to 2e-6. The element of 2001 locks: it finds 70 % of the deflection.
+/// 8.896 N at 45 degrees against MECHANICS 10.8, whose numbers have four digits: with all coordinates of the clamped
+/// node held they are the same to 2e-6. The element of 2001 locks: it finds 70 % of the deflection.
 #[test]
 fn princeton_meets_its_table() {
     let locked = [("arm.ancf24_poisson", "true"), ("arm.ancf24_shear", "continuum")];
@@ -160,8 +163,9 @@ fn princeton_meets_its_table() {
     }
 }
 
-/// Where the mesh is fine enough the bent cantilever has order 2, as its sections turn linearly: 1 N, differences of successive meshes. The
-/// limit at 8.896 N is the rod without shear, within what shear adds, `P L/(G' A)`, 14 µm along z, and the mesh's own 10 µm along y.
+/// Where the mesh is fine enough the bent cantilever has order 2, as its sections turn linearly: 1 N, differences of
+/// successive meshes. The limit at 8.896 N is the rod without shear, within what shear adds, `P L/(G' A)`, 14 µm along
+/// z, and the mesh's own 10 µm along y.
 #[test]
 fn princeton_converges_with_order_two() {
     let tips = [16, 32, 64, 128].map(|elements| tip(elements, &[("P", "1.0")]));
@@ -220,8 +224,8 @@ step = 1.0
 output_step = 1.0
 "#;
 
-/// A helix with pretwist, as drawn: all strains, forces and stresses are exactly 0, for they are differences of the same sums of the same
-/// numbers; so nothing moves either.
+/// A helix with pretwist, as drawn: all strains, forces and stresses are exactly 0, for they are differences of the
+/// same sums of the same numbers; so nothing moves either.
 #[test]
 fn curved_and_twisted_beams_are_free_of_stress() {
     for overrides in [vec![], vec![("coil.ancf24_poisson", "true"), ("coil.ancf24_shear", "continuum")]] {
@@ -242,7 +246,8 @@ fn curved_and_twisted_beams_are_free_of_stress() {
     }
 }
 
-/// As drawn, sections of a bent and pretwisted beam lie at its nodes as those of ANCF14, to round-off of some turns; and move alike.
+/// As drawn, sections of a bent and pretwisted beam lie at its nodes as those of ANCF14, to round-off of some turns;
+/// and move alike.
 #[test]
 fn sections_lie_as_those_of_ancf14() {
     let moving = HELIX
@@ -267,8 +272,9 @@ fn sections_lie_as_those_of_ancf14() {
     assert_eq!(compared, 26);
 }
 
-/// The 45-degree bend, moved out of its plane by more than half its length: curved references and large turns. From mesh to mesh it comes to the rod
-/// by order 2 at least, a quarter of what was missing; what shear adds, `P L/(G' A)`, 1 cm of 54 m, is far below.
+/// The 45-degree bend, moved out of its plane by more than half its length: curved references and large turns. From
+/// mesh to mesh it comes to the rod by order 2 at least, a quarter of what was missing; what shear adds, `P L/(G' A)`,
+/// 1 cm of 54 m, is far below.
 #[test]
 fn the_bend_comes_to_the_rod() {
     let text = include_str!("../../references/bend_45_degrees.csv");

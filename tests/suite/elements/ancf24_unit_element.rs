@@ -1,8 +1,9 @@
 //! One undeformed and one sheared element of ANCF24 against the numbers that Project Chrono tests its own with, in
 //! tests/references/ancf24_unit_element.csv: mass, weight, internal force, both tangents.
 //!
-//! Chrono splits the material: what does not couple strains, `diag(E, E, E, G, k G, k G)`, acts over the whole section, the rest, of Poisson's
-//! effect, on the axis alone. Ours does not, but its sections can be put together so: fibers without distance from the axis lie on it.
+//! Chrono splits the material: what does not couple strains, `diag(E, E, E, G, k G, k G)`, acts over the whole section,
+//! the rest, of Poisson's effect, on the axis alone. Ours does not, but its sections can be put together so: fibers
+//! without distance from the axis lie on it.
 
 use crate::support::gauss::gauss;
 use ancf14::math::Vec3;
@@ -17,8 +18,8 @@ const WIDTH: f64 = 0.1;
 const DENSITY: f64 = 7850.0;
 const YOUNG: f64 = 210e9;
 const POISSON: f64 = 0.3;
-/// Points along the axis, of both parts of the energy: the file's numbers are exact integrals (four points miss them by 5e-8, three by 1e-4;
-/// strains are of fourth degree in the length, their squares of eighth).
+/// Points along the axis, of both parts of the energy: the file's numbers are exact integrals (four points miss them by
+/// 5e-8, three by 1e-4; strains are of fourth degree in the length, their squares of eighth).
 const POINTS: usize = 5;
 /// The file has 15 digits, of entries that sums of larger terms make.
 const ROUNDING: f64 = 1e-9;

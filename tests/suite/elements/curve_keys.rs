@@ -1,6 +1,7 @@
-//! Does a `curve` of the file become the beam that is meant? Arc lengths and fractions against closed forms, the numbers that
-//! are and are not parameters, changes of them, what acts along the beam, and how it sets off. A fraction of the parameter
-//! taken for a fraction of the length, a weight by element instead of by meter, or a velocity by node number fails here.
+//! Does a `curve` of the file become the beam that is meant? Arc lengths and fractions against closed forms, the
+//! numbers that are and are not parameters, changes of them, what acts along the beam, and how it sets off. A fraction
+//! of the parameter taken for a fraction of the length, a weight by element instead of by meter, or a velocity by node
+//! number fails here.
 
 use crate::curves::Curves;
 use crate::running::{run, start, value, vector};
@@ -82,7 +83,8 @@ fn lengths_and_fractions_are_those_of_the_arc() {
         let fraction = steps.system().beams[0].division.fraction(k).unwrap();
         assert!((fraction - from / parabola(1.0)).abs() < 1e-14);
     }
-    // A joint finds the node at its fraction, and the point of an output lies between nodes in proportion to the length.
+    // A joint finds the node at its fraction, and the point of an output lies between nodes in proportion to the
+    // length.
     let third = parabola(0.5) / parabola(1.0);
     let more = format!(
         "[joint.pin]\ntype = \"spherical\"\na = \"ground\"\nb = \"arm@{third}\"\n[output.pin_at]\nat = \"arm@{third}\"\nquantities = [\"position\"]"
@@ -91,7 +93,8 @@ fn lengths_and_fractions_are_those_of_the_arc() {
     assert!((vector(&pinned, "pin_at.position") - Vec3::new(0.5, 0.0, 0.375)).norm() < 1e-14);
 }
 
-/// The numbers of a curve are no parameters, those of [parameters] in it are, fixed; changing them changes the curve, by `--set` and by a host.
+/// The numbers of a curve are no parameters, those of [parameters] in it are, fixed; changing them changes the curve,
+/// by `--set` and by a host.
 #[test]
 fn parameters_inside_a_curve_shape_it() {
     let text = model(HELIX, ROOT, STATIC);
@@ -130,7 +133,8 @@ fn parameters_inside_a_curve_shape_it() {
     );
 }
 
-/// Weight and loads along the beam are per meter of it: what the root carries is their sum, and its moment that of the center of mass.
+/// Weight and loads along the beam are per meter of it: what the root carries is their sum, and its moment that of the
+/// center of mass.
 #[test]
 fn loads_along_a_curve_are_per_meter() {
     let half = "elements = 12\nspacing = \"s\"\ny_axis = [0, 0, 1]\ncurve = { x = \"R*sin(s^2*pi)\", y = \"R*(1 - cos(s^2*pi))\", z = 0, s = [0.2, 1] }";
@@ -143,7 +147,8 @@ fn loads_along_a_curve_are_per_meter() {
     let length = 2.0 * (to - from);
     let weight = 7800.0 * 0.03 * 0.02 * length * 1e-6;
     println!("weight {:.1e}, wind {:.1e} off", force(3) / weight - 1.0, force(2) / (1e-3 * length) - 1.0);
-    // The mass of an element is that of its arc length, and so is what a load sees of it: both to the tolerance of the equilibrium.
+    // The mass of an element is that of its arc length, and so is what a load sees of it: both to the tolerance of the
+    // equilibrium.
     assert!((force(3) / weight - 1.0).abs() < 1e-9);
     assert!((force(2) / (1e-3 * length) - 1.0).abs() < 1e-9);
     // The center of the arc: integrals of the places by the angle.
@@ -152,8 +157,9 @@ fn loads_along_a_curve_are_per_meter() {
     assert!((moment / (weight * x) - 1.0).abs() < 1e-3, "{moment} {}", weight * x);
 }
 
-/// A load along a quarter circle in a single element that is opposite to its weight leaves it at rest: both have the same arc length and the
-/// same shape functions, and nothing but round-off is left. Along the interpolated curve the load would be 0.8 % too small.
+/// A load along a quarter circle in a single element that is opposite to its weight leaves it at rest: both have the
+/// same arc length and the same shape functions, and nothing but round-off is left. Along the interpolated curve the
+/// load would be 0.8 % too small.
 #[test]
 fn regression_a_load_against_the_weight_of_a_curve_cancels_it() {
     let quarter = "elements = 1\ny_axis = [0, 0, 1]\ncurve = { x = \"R*sin(s)\", y = \"R*(1 - cos(s))\", z = 0, s = [0, \"0.4999*pi\"] }";
@@ -170,7 +176,8 @@ fn regression_a_load_against_the_weight_of_a_curve_cancels_it() {
     }
 }
 
-/// A coil that is thrown, turning: every point moves as `v + w x (x - start)`, the section turns with w, and the flight keeps the momenta.
+/// A coil that is thrown, turning: every point moves as `v + w x (x - start)`, the section turns with w, and the flight
+/// keeps the momenta.
 #[test]
 fn a_thrown_coil_moves_as_a_rigid_body() {
     let line = format!("{HELIX}\npretwist = 3\nvelocity = [1, -2, 3]\nangular_velocity = [2, 1, -3]");
@@ -190,7 +197,8 @@ fn a_thrown_coil_moves_as_a_rigid_body() {
     run(&mut simulation, 1e-2, 0.3, |_| {});
     let drift = value(&simulation, "energy.total") / energy - 1.0;
     println!("thrown coil, energy: {drift:.1e}");
-    // The coil stretches by its own turning and swings with that: of the kinetic energy a step leaves the square of its size.
+    // The coil stretches by its own turning and swings with that: of the kinetic energy a step leaves the square of its
+    // size.
     assert!(drift.abs() < 1e-3, "{drift:e}");
     for (name, begin) in ["momentum.linear", "momentum.angular"].into_iter().zip(begin) {
         let off = (vector(&simulation, name) - begin).norm() / begin.norm();
@@ -199,7 +207,8 @@ fn a_thrown_coil_moves_as_a_rigid_body() {
     }
 }
 
-/// Springs and bodies along the curve, and the picture: a curved element is drawn with points between its nodes, a straight one is not.
+/// Springs and bodies along the curve, and the picture: a curved element is drawn with points between its nodes, a
+/// straight one is not.
 #[test]
 fn curves_are_drawn_as_curves() {
     let more = format!(
@@ -219,7 +228,8 @@ fn curves_are_drawn_as_curves() {
     assert_eq!((drawing.lines[0].nodes.len(), drawing.lines[0].points.len()), (32, 17));
 }
 
-/// Stress free as drawn, from the file: no energy, no force, no twist or strain at any station; and it stays so under no load.
+/// Stress free as drawn, from the file: no energy, no force, no twist or strain at any station; and it stays so under
+/// no load.
 #[test]
 fn an_unloaded_coil_shows_nothing() {
     let stations = "[output.all]\non = \"arm\"\nstations = 23\nquantities = [\"displacement\", \"twist\", \"axial_strain\", \"curvature\", \"torsion\", \"section_force\", \"section_moment\", \"stress\"]";
@@ -245,8 +255,8 @@ fn an_unloaded_coil_shows_nothing() {
     }
 }
 
-/// A section of ANCF24 is solid: wound more sharply than its fibers, at 1/√12 of its width, are off the axis, it is refused; just below, it is
-/// not. The line of ANCF14 has no fibers.
+/// A section of ANCF24 is solid: wound more sharply than its fibers, at 1/√12 of its width, are off the axis, it is
+/// refused; just below, it is not. The line of ANCF14 has no fibers.
 #[test]
 fn a_solid_section_cannot_be_wound_more_sharply_than_it_is_wide() {
     // Elements of 5.6 degrees: linear between their ends a section is off the curve by less than 1e-3 of itself.

@@ -1,7 +1,8 @@
-//! Is a beam that is curved and twisted as drawn the same beam wherever it starts and however its section is named? It must be free
-//! of stress as drawn, exactly, for its reference is what its own interpolation finds; drawn from the other end, or with the
-//! section's axes renamed, it must bend alike to round-off. A frame that is carried differently from the two ends, a reference
-//! curvature with a wrong sign or not divided by `J0`, a strain output that forgets the reference: each fails here.
+//! Is a beam that is curved and twisted as drawn the same beam wherever it starts and however its section is named? It
+//! must be free of stress as drawn, exactly, for its reference is what its own interpolation finds; drawn from the
+//! other end, or with the section's axes renamed, it must bend alike to round-off. A frame that is carried differently
+//! from the two ends, a reference curvature with a wrong sign or not divided by `J0`, a strain output that forgets the
+//! reference: each fails here.
 
 use crate::support::machines::{ancf14, ancf14_elements, clamp, design, energies};
 use ancf14::math::curve::Curve;
@@ -131,7 +132,8 @@ fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched:
     (system, state)
 }
 
-/// What the sensors see: place; strains and section moments; all with their signs of the one or the other direction of drawing.
+/// What the sensors see: place; strains and section moments; all with their signs of the one or the other direction of
+/// drawing.
 fn seen(system: &System, state: &State) -> Vec<(Vec3, [f64; 4], [f64; 4])> {
     let mut snapshot = FrameCache::default();
     let c = snapshot.of(system, state);
@@ -144,8 +146,8 @@ fn seen(system: &System, state: &State) -> Vec<(Vec3, [f64; 4], [f64; 4])> {
     system.sensors.iter().map(row).collect()
 }
 
-/// As drawn nothing is strained, to the bit: energy, forces, and strains at every fraction, with either twist. A strip of twice the
-/// curvature has a hundred joules.
+/// As drawn nothing is strained, to the bit: energy, forces, and strains at every fraction, with either twist. A strip
+/// of twice the curvature has a hundred joules.
 #[test]
 fn curved_beams_are_free_of_stress_as_drawn() {
     for strain in [Strain::Small, Strain::Large, Strain::LargeTruncated] {
@@ -183,10 +185,12 @@ fn curved_beams_are_free_of_stress_as_drawn() {
     }
 }
 
-/// Curvature and torsion of the reference must be those of the curve: by Frenet and Serret, turned by the pretwist, to the order of the mesh.
+/// Curvature and torsion of the reference must be those of the curve: by Frenet and Serret, turned by the pretwist, to
+/// the order of the mesh.
 #[test]
 fn references_are_those_of_the_curve() {
-    // A helix: curvature a/(a² + b²), torsion b/(a² + b²); the section keeps to its normal if it is twisted along by the torsion.
+    // A helix: curvature a/(a² + b²), torsion b/(a² + b²); the section keeps to its normal if it is twisted along by
+    // the torsion.
     let (a, b, turns) = (0.4, 0.15, 1.5 * std::f64::consts::TAU);
     let (curvature, torsion) = (a / (a * a + b * b), b / (a * a + b * b));
     let number = Jet::constant;
@@ -198,7 +202,8 @@ fn references_are_those_of_the_curve() {
     let mut errors = Vec::new();
     for elements in [12, 24] {
         let line = Centerline::curved(&helix, Spacing::Arc, elements).unwrap();
-        // Frenet's frame turns against Bishop's by the torsion: a section that is to stay on the normal is pretwisted by as much.
+        // Frenet's frame turns against Bishop's by the torsion: a section that is to stay on the normal is pretwisted
+        // by as much.
         let pretwist = torsion * helix.length();
         let beam = BeamDesign { line, y_axis: -Vec3::x(), pretwist, ..design("helix", elements) };
         let mut builder = SystemBuilder::default();
@@ -219,8 +224,9 @@ fn references_are_those_of_the_curve() {
     assert!(errors[0] < 3e-2 && errors[1] < 0.3 * errors[0], "{errors:?}");
 }
 
-/// Largest differences of places (m), and of strains and section forces (of their largest values), between a strip and the same strip
-/// drawn from its other end. y stays, x and z of the section turn round: of all strains and moments only those about y change their sign.
+/// Largest differences of places (m), and of strains and section forces (of their largest values), between a strip and
+/// the same strip drawn from its other end. y stays, x and z of the section turn round: of all strains and moments only
+/// those about y change their sign.
 fn asymmetry(strain: Strain, spacing: Spacing, curve: fn(bool) -> Curve, elements: usize, loads: &Loads) -> [f64; 2] {
     let watched = [0.0, 0.2, 0.45, 1.0 / 3.0, 0.8, 1.0];
     let forth = strip(strain, spacing, &curve(false), elements, loads);
@@ -246,8 +252,9 @@ fn asymmetry(strain: Strain, spacing: Spacing, curve: fn(bool) -> Curve, element
     [apart, (0..8).map(column).fold(0.0, f64::max)]
 }
 
-/// In its plane the strip bends alike to round-off. In space the frame inside an element begins at the element's first node: the
-/// angle of the section between is collocated, and drawing the beam from the other end changes it by the fourth order (MECHANICS 2.13).
+/// In its plane the strip bends alike to round-off. In space the frame inside an element begins at the element's first
+/// node: the angle of the section between is collocated, and drawing the beam from the other end changes it by the
+/// fourth order (MECHANICS 2.13).
 #[test]
 fn drawn_backwards_it_bends_alike() {
     for strain in [Strain::Small, Strain::Large] {
@@ -290,8 +297,8 @@ fn section_axes_may_be_renamed() {
     }
 }
 
-/// At the points of the energy sensors must see the energy's own strains, also far from the drawing: the quotient by `J0`, the reference and
-/// the signs. Round-off of curvatures of 10/m.
+/// At the points of the energy sensors must see the energy's own strains, also far from the drawing: the quotient by
+/// `J0`, the reference and the signs. Round-off of curvatures of 10/m.
 #[test]
 fn sensors_see_the_strains_of_the_energy() {
     let elements = 5;
@@ -316,8 +323,9 @@ fn sensors_see_the_strains_of_the_energy() {
     }
 }
 
-/// Section forces of a bent and twisted strip are those of statics: what acts beyond the section, in its axes. At inner nodes, where the
-/// mean of two elements is taken, they are of order 2; the torque of a single element is its mean, of order 1 where it changes.
+/// Section forces of a bent and twisted strip are those of statics: what acts beyond the section, in its axes. At inner
+/// nodes, where the mean of two elements is taken, they are of order 2; the torque of a single element is its mean, of
+/// order 1 where it changes.
 #[test]
 fn section_forces_are_those_of_statics() {
     let small = Loads {
@@ -346,7 +354,8 @@ fn section_forces_are_those_of_statics() {
     assert!(errors[2] < 1.5e-2 && errors[2] < 0.3 * errors[1], "{errors:?}");
 }
 
-/// A quarter of a circle, unbent to a straight line by the moment EI/R at its end: errors as MECHANICS 9 gives them, order 4.
+/// A quarter of a circle, unbent to a straight line by the moment EI/R at its end: errors as MECHANICS 9 gives them,
+/// order 4.
 #[test]
 fn quarter_arc_unbends() {
     let quarter = std::f64::consts::FRAC_PI_2;

@@ -1,6 +1,7 @@
-//! Kelvin-Voigt damping must be the dissipation that MECHANICS 3.8 defines: its forces the derivatives of Rayleigh's function by the
-//! velocities, its tangents the derivatives of its forces, all found here by automatic differentiation of the oracle's strains. A rigid
-//! motion must not be damped, any other must lose energy. A dropped or wrong term shows at 1e-3 or more; the bound is rounding.
+//! Kelvin-Voigt damping must be the dissipation that MECHANICS 3.8 defines: its forces the derivatives of Rayleigh's
+//! function by the velocities, its tangents the derivatives of its forces, all found here by automatic differentiation
+//! of the oracle's strains. A rigid motion must not be damped, any other must lose energy. A dropped or wrong term
+//! shows at 1e-3 or more; the bound is rounding.
 
 use crate::elements::element_derivatives::{curved, random_element_state, stiffness, straight};
 use crate::random::Random;
@@ -48,7 +49,8 @@ impl Case {
         SVector::from(oracle::strains(&self.element, q.as_slice(), D::from(0.0), &self.triads, self.previous))
     }
 
-    /// Viscous resultant over rate of each strain, from the definition, but for what couples axial strains with curvatures.
+    /// Viscous resultant over rate of each strain, from the definition, but for what couples axial strains with
+    /// curvatures.
     fn viscosities(&self) -> [f64; 12] {
         let element = &self.element;
         let [a, b, c] = element.axial.each_ref().map(|point| point.stiffness.axial * point.weight);
@@ -157,7 +159,8 @@ fn force_and_derivatives_at_an_instant() {
     }
 }
 
-/// Where the beam is undeformed, Kelvin-Voigt damping is stiffness-proportional: `c` times the elastic tangent, whatever the strain measure.
+/// Where the beam is undeformed, Kelvin-Voigt damping is stiffness-proportional: `c` times the elastic tangent,
+/// whatever the strain measure.
 #[test]
 fn at_rest_damping_is_proportional_to_stiffness() {
     let triad = Triad { t: Vec3::x(), u: Vec3::y() };
@@ -174,8 +177,8 @@ fn at_rest_damping_is_proportional_to_stiffness() {
     }
 }
 
-/// Whatever the motion, damping takes power out of it: a sum of squares, and as a form in all velocities without a negative direction
-/// (but for rounding of its 6 rigid motions).
+/// Whatever the motion, damping takes power out of it: a sum of squares, and as a form in all velocities without a
+/// negative direction (but for rounding of its 6 rigid motions).
 #[test]
 fn damping_dissipates() {
     let mut random = Random(29);
@@ -207,7 +210,8 @@ fn of_iteration(evaluation: &Evaluation, velocity: &Coordinates) -> (Coordinates
     damped.gradient_and_hessian()
 }
 
-/// The matrix of the iteration is an approximation, its force is not. Where nothing moves the matrix is exact, whatever the shape; what the damping takes is the work of its force.
+/// The matrix of the iteration is an approximation, its force is not. Where nothing moves the matrix is exact, whatever
+/// the shape; what the damping takes is the work of its force.
 #[test]
 fn iteration_has_the_exact_force() {
     let mut random = Random(31);
@@ -223,8 +227,9 @@ fn iteration_has_the_exact_force() {
     }
 }
 
-/// An element that turns as a whole without being deformed, however its nodes' frames have turned from their references, has the exact matrix of the iteration: the derivatives of its strains turn with
-/// it. Without their turn the matrix would be off by a hundredth of its largest entry.
+/// An element that turns as a whole without being deformed, however its nodes' frames have turned from their
+/// references, has the exact matrix of the iteration: the derivatives of its strains turn with it. Without their turn
+/// the matrix would be off by a hundredth of its largest entry.
 #[test]
 fn turning_as_a_whole_leaves_the_matrix_exact() {
     let mut random = Random(33);

@@ -34,7 +34,8 @@ pub fn stiffness(strain: Strain) -> Stiffness {
     }
 }
 
-/// Coordinates of an element of length `length` with the given bend and twist scale, and reference triads near its tangents.
+/// Coordinates of an element of length `length` with the given bend and twist scale, and reference triads near its
+/// tangents.
 pub fn random_element_state(
     random: &mut Random,
     length: f64,
@@ -69,7 +70,8 @@ pub fn straight(length: f64, stiffness: Stiffness) -> Element {
     Element::new(Place::default(), length, stiffness, [1.0, 0.1], &q, [&frames[0], &frames[1]], 0.0)
 }
 
-/// An element whose undeformed shape is bent and twisted at random, and whose section varies, principal axes and, but with the truncated strain, tension center included.
+/// An element whose undeformed shape is bent and twisted at random, and whose section varies, principal axes and, but
+/// with the truncated strain, tension center included.
 pub fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element {
     let (q, triads, previous) = random_element_state(random, length, 0.3, 0.5);
     let frames = [NodeFrame::new(&q.as_slice()[..7], &triads[0]), NodeFrame::new(&q.as_slice()[7..], &triads[1])];

@@ -1,4 +1,5 @@
-//! A rigid turn must not strain the beam: not once, not after many turns, and the large-strain energy must be what section integration gives.
+//! A rigid turn must not strain the beam: not once, not after many turns, and the large-strain energy must be what
+//! section integration gives.
 
 use crate::elements::element_derivatives::straight;
 use crate::random::Random;
@@ -18,8 +19,8 @@ use ancf14::mechanics::beam::ancf14::strain::{Stiffness, Strain, Strains};
 use ancf14::mechanics::beam::section::Section;
 use ancf14::mechanics::geometry::triad::Triad;
 
-/// 25 turns about an oblique axis in steps of 0.3 rad, references carried along: the energy of a bent and twisted element
-/// stays within rounding (about 500 transports of 1e-16 each).
+/// 25 turns about an oblique axis in steps of 0.3 rad, references carried along: the energy of a bent and twisted
+/// element stays within rounding (about 500 transports of 1e-16 each).
 #[test]
 fn many_turns_do_not_strain() {
     let mut random = Random(9);
@@ -45,7 +46,8 @@ fn many_turns_do_not_strain() {
                 let turned = turn * vec3(q.as_slice(), place);
                 set_vec3(q.as_mut_slice(), place, &turned);
             }
-            // The section turns by the part of the turn that the carried frame does not take: found from the carried triad.
+            // The section turns by the part of the turn that the carried frame does not take: found from the carried
+            // triad.
             for node in 0..2 {
                 let own = &q.as_slice()[7 * node..7 * node + 7];
                 let frame = NodeFrame::new(own, &triads[node]);
@@ -61,8 +63,8 @@ fn many_turns_do_not_strain() {
     }
 }
 
-/// With Jt = Ip the large-strain energy is the integral of E e11²/2 + G tau² r²/2 over the section, `e11` the Green strain of the
-/// fiber at (y, z); a 3-point Gauss rule in y and z integrates the quartic exactly, 4 points are used.
+/// With Jt = Ip the large-strain energy is the integral of E e11²/2 + G tau² r²/2 over the section, `e11` the Green
+/// strain of the fiber at (y, z); a 3-point Gauss rule in y and z integrates the quartic exactly, 4 points are used.
 #[test]
 fn large_energy_is_the_section_integral() {
     let (width, height, young, shear) = (0.03, 0.05, 2.0, 0.7);

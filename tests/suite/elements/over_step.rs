@@ -1,6 +1,7 @@
-//! Forces over a step (MECHANICS 7.6): the resultants of the mean strains along the derivatives of the strains in the middle. They must work as much as the energy
-//! changes but for third order, must not see rigid motions however far they turn, must lose energy to damping and to nothing else; and the tangent must
-//! follow large turns, or Newton would need many iterations wherever something rotates.
+//! Forces over a step (MECHANICS 7.6): the resultants of the mean strains along the derivatives of the strains in the
+//! middle. They must work as much as the energy changes but for third order, must not see rigid motions however far
+//! they turn, must lose energy to damping and to nothing else; and the tangent must follow large turns, or Newton would
+//! need many iterations wherever something rotates.
 
 use crate::elements::element_derivatives::{curved, random_element_state, stiffness, straight};
 use crate::random::Random;
@@ -103,7 +104,8 @@ impl Case {
             let slope = turn * self.start.fixed_rows::<3>(7 * i + 3);
             end.fixed_rows_mut::<3>(7 * i).copy_from(&place);
             end.fixed_rows_mut::<3>(7 * i + 3).copy_from(&slope);
-            // The angle at which the frame carried along the tangent has the section turned with the rest, on the nearest branch.
+            // The angle at which the frame carried along the tangent has the section turned with the rest, on the
+            // nearest branch.
             let carried = NodeFrame::new(&end.as_slice()[7 * i..7 * i + 7], &self.triads[i]);
             let (y, axes) = (turn * frame.section().column(1), carried.section());
             end[7 * i + 6] += f64::atan2(y.dot(&axes.column(2)), y.dot(&axes.column(1)));
@@ -130,7 +132,8 @@ fn cases(seed: u64) -> Vec<Case> {
     cases
 }
 
-/// The definition, in the oracle's strains and their derivatives by automatic differentiation; stretching, which has a direction of its own, is left out.
+/// The definition, in the oracle's strains and their derivatives by automatic differentiation; stretching, which has a
+/// direction of its own, is left out.
 #[test]
 fn force_by_definition() {
     let mut random = Random(41);
@@ -159,8 +162,8 @@ fn force_by_definition() {
     }
 }
 
-/// What the force works beyond the change of the energy falls with the third power of the increment: by 1000 from 0.01 to 0.001, one of order 2 by 100; but where
-/// rounding of the energies, 1e-16 of some 10 J, shows.
+/// What the force works beyond the change of the energy falls with the third power of the increment: by 1000 from 0.01
+/// to 0.001, one of order 2 by 100; but where rounding of the energies, 1e-16 of some 10 J, shows.
 #[test]
 fn work_is_the_change_of_energy() {
     let mut random = Random(42);
@@ -177,7 +180,8 @@ fn work_is_the_change_of_energy() {
     assert!(excess[1] < 3e-3 * excess[0], "{excess:?}");
 }
 
-/// A turn of 1.2 rad within one step and a shift: no strain changes, and the damping takes nothing. Rounding of strains of order 1 in these units.
+/// A turn of 1.2 rad within one step and a shift: no strain changes, and the damping takes nothing. Rounding of strains
+/// of order 1 in these units.
 #[test]
 fn rigid_motions_change_nothing() {
     let mut random = Random(44);
@@ -192,9 +196,10 @@ fn rigid_motions_change_nothing() {
     }
 }
 
-/// Over a short step the tangent is twice the derivative of the force by the end's coordinates, found by central differences: but for the quadratic twist, whose internal coordinate does not
-/// follow the dissipation, a share of 0.04.
-/// Over a rigid turn of 0.5 rad it errs by less than half the sine of half the turn, by which the derivatives of the middle alone would err.
+/// Over a short step the tangent is twice the derivative of the force by the end's coordinates, found by central
+/// differences: but for the quadratic twist, whose internal coordinate does not follow the dissipation, a share of
+/// 0.04. Over a rigid turn of 0.5 rad it errs by less than half the sine of half the turn, by which the derivatives of
+/// the middle alone would err.
 #[test]
 fn tangent_follows_turns() {
     let mut random = Random(46);
@@ -223,8 +228,9 @@ fn tangent_follows_turns() {
     }
 }
 
-/// Over a step so short that strains change in proportion to it, damping does what it does at an instant with the mean velocity; and takes the work of that force. Coupled strains and
-/// the damping of tension included. The increment is 1e-6: what is of its second order, and rounding over it, are below 1e-5.
+/// Over a step so short that strains change in proportion to it, damping does what it does at an instant with the mean
+/// velocity; and takes the work of that force. Coupled strains and the damping of tension included. The increment is
+/// 1e-6: what is of its second order, and rounding over it, are below 1e-5.
 #[test]
 fn damping_over_a_short_step_is_that_of_an_instant() {
     let mut random = Random(50);
@@ -251,7 +257,8 @@ fn damping_over_a_short_step_is_that_of_an_instant() {
     }
 }
 
-/// The rates of an instant are those over a step along the velocity, to the square of the step's length: also of the quadratic twist, whose internal coordinate moves along.
+/// The rates of an instant are those over a step along the velocity, to the square of the step's length: also of the
+/// quadratic twist, whose internal coordinate moves along.
 #[test]
 fn rates_of_an_instant_are_those_of_a_short_step() {
     let mut random = Random(48);

@@ -1,6 +1,6 @@
-//! Quadratic twist (MECHANICS 5.3): the internal coordinate of an element must stand where the energy has no slope by it, and gradient
-//! and Hessian must be those of the energy with it condensed, both by automatic differentiation of the oracle with 15 coordinates.
-//! A dropped or wrong term shows at 1e-3 or more; the bound is rounding.
+//! Quadratic twist (MECHANICS 5.3): the internal coordinate of an element must stand where the energy has no slope by
+//! it, and gradient and Hessian must be those of the energy with it condensed, both by automatic differentiation of the
+//! oracle with 15 coordinates. A dropped or wrong term shows at 1e-3 or more; the bound is rounding.
 
 use crate::elements::element_derivatives::{curved, random_element_state, stiffness, straight};
 use crate::random::Random;
@@ -126,8 +126,9 @@ fn rigid_rotation() {
     }
 }
 
-/// A strip bent in both directions carries a torque that changes along it: it is the torque at every section, and the twist between
-/// two sections is its integral. With linear twist the torsion is constant in an element, and both fail by far.
+/// A strip bent in both directions carries a torque that changes along it: it is the torque at every section, and the
+/// twist between two sections is its integral. With linear twist the torsion is constant in an element, and both fail
+/// by far.
 #[test]
 fn twist_and_torsion_inside_the_elements() {
     let force = Vec3::new(0.0, 2.0, 12.0);
@@ -169,7 +170,8 @@ fn twist_and_torsion_inside_the_elements() {
     }
 }
 
-/// The angular velocity of a section inside an element is the rate of its turn, the internal coordinate's share included.
+/// The angular velocity of a section inside an element is the rate of its turn, the internal coordinate's share
+/// included.
 #[test]
 fn angular_velocity_inside_the_elements() {
     let mut builder = SystemBuilder::default();
@@ -207,7 +209,8 @@ fn angular_velocity_inside_the_elements() {
     assert!((without - angular).norm() > 1e-3, "the internal coordinate's share is too small to be seen");
 }
 
-/// Damping sees the strains of the linear twist, whose rates are all there are (MECHANICS 5.3): at an instant and over a step.
+/// Damping sees the strains of the linear twist, whose rates are all there are (MECHANICS 5.3): at an instant and over
+/// a step.
 #[test]
 fn damping_is_that_of_the_linear_twist() {
     let mut random = Random(17);

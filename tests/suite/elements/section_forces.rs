@@ -1,5 +1,6 @@
-//! Section forces must be in equilibrium with the loads, and be the derivatives of the energy by the strains that are put out; the stress
-//! must be the largest on the outline. A wrong sign, axis or coupling gives errors of the size of the forces themselves.
+//! Section forces must be in equilibrium with the loads, and be the derivatives of the energy by the strains that are
+//! put out; the stress must be the largest on the outline. A wrong sign, axis or coupling gives errors of the size of
+//! the forces themselves.
 
 use crate::random::Random;
 use crate::support::machines::{ancf14, ancf14_elements, clamp, design, load};
@@ -20,8 +21,8 @@ use std::f64::consts::{PI, TAU};
 
 const STRAINS: [Strain; 3] = [Strain::Small, Strain::Large, Strain::LargeTruncated];
 
-/// Section forces at `fraction` of the cantilever `beam` with a dead force and moment at its end, beside force and moment that the
-/// loads demand there, in section axes of the deformed beam: `[N, T, M_y, M_z]` each.
+/// Section forces at `fraction` of the cantilever `beam` with a dead force and moment at its end, beside force and
+/// moment that the loads demand there, in section axes of the deformed beam: `[N, T, M_y, M_z]` each.
 fn found_and_demanded(beam: &BeamDesign, fraction: f64, force: Vec3, moment: Vec3) -> (Vector4<f64>, Vector4<f64>) {
     let mut builder = SystemBuilder::default();
     let number = builder.add_beam(beam);
@@ -49,8 +50,8 @@ fn found_and_demanded(beam: &BeamDesign, fraction: f64, force: Vec3, moment: Vec
     )
 }
 
-/// A bar in tension, bending both ways and torsion, small: the linear theory. Cubic elements have it exactly, the bound is the square of
-/// the tip's turn, 1e-3.
+/// A bar in tension, bending both ways and torsion, small: the linear theory. Cubic elements have it exactly, the bound
+/// is the square of the tip's turn, 1e-3.
 #[test]
 fn cantilever_under_small_loads() {
     for strain in STRAINS {
@@ -76,8 +77,9 @@ fn cantilever_under_small_loads() {
     }
 }
 
-/// A soft and thick beam that is stretched by 3 %, bent by 0.4 rad and twisted: equilibrium at the deformed place. The moments' errors
-/// are those of the element, of order 2; the axial force without `|r'|`, or a dropped coupling, would leave 2e-2 whatever the elements.
+/// A soft and thick beam that is stretched by 3 %, bent by 0.4 rad and twisted: equilibrium at the deformed place. The
+/// moments' errors are those of the element, of order 2; the axial force without `|r'|`, or a dropped coupling, would
+/// leave 2e-2 whatever the elements.
 #[test]
 fn cantilever_under_large_loads() {
     let (force, moment) = (Vec3::new(60.0, -4.0, 10.0), Vec3::new(0.7, 1.0, -1.5));
@@ -125,8 +127,9 @@ fn random_strains(random: &mut Random) -> SectionStrains {
     }
 }
 
-/// Energy per length, J/m, of a rectangle at `[axial, torsion, about y, about z]`: the integral of `E e11²/2` over the section with `e11` the
-/// strain of the fiber at (y, z), and Saint-Venant's. Three Gauss points each way integrate the quartic exactly.
+/// Energy per length, J/m, of a rectangle at `[axial, torsion, about y, about z]`: the integral of `E e11²/2` over the
+/// section with `e11` the strain of the fiber at (y, z), and Saint-Venant's. Three Gauss points each way integrate the
+/// quartic exactly.
 fn energy<D: Scalar>(size: [f64; 2], moduli: [f64; 2], strain: Strain, strains: &[D]) -> D {
     let [axial, torsion, about_y, about_z] = [0, 1, 2, 3].map(|i| strains[i]);
     let points = [(-(0.6_f64.sqrt()), 5.0 / 18.0), (0.0, 8.0 / 18.0), (0.6_f64.sqrt(), 5.0 / 18.0)];

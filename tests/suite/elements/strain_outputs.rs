@@ -1,5 +1,5 @@
-//! Strains of a section carry the signs of the model file: each is positive under the load that works on it, and of the size of
-//! the linear theory. A curvature about the wrong axis or with the wrong sign fails here.
+//! Strains of a section carry the signs of the model file: each is positive under the load that works on it, and of the
+//! size of the linear theory. A curvature about the wrong axis or with the wrong sign fails here.
 
 use crate::support::machines::{clamp, design, load};
 use ancf14::math::Vec3;

@@ -1,5 +1,5 @@
-//! Derivatives of the largest stress of a section by what a host gives, against differences of repeated steps. The stress has kinks, where
-//! another side takes over: a derivative is that of the side that bears it.
+//! Derivatives of the largest stress of a section by what a host gives, against differences of repeated steps. The
+//! stress has kinks, where another side takes over: a derivative is that of the side that bears it.
 
 use crate::curves::load;
 use crate::motion::step_derivatives::{machine, place, set_out};
@@ -28,11 +28,13 @@ fn stress_by_inputs() {
     let derivative = simulation.partial_derivative(stress, push).unwrap();
     println!("{derivative:e} {difference:e}, changes by {curved:e}; stress {middle:e}");
     assert!(difference.abs() > 1e3 && curved < 1e-3 * difference.abs());
-    // Newton's rest, 1e-12 of slopes in a strip whose stress is 2e9 Pa times 2.5 mm times their change over 0.1 m, over the change.
+    // Newton's rest, 1e-12 of slopes in a strip whose stress is 2e9 Pa times 2.5 mm times their change over 0.1 m, over
+    // the change.
     assert!((derivative - difference).abs() < 1e-4 * difference.abs());
 }
 
-/// A cantilever that is bent far more than it is pulled: at its root both sides of the section bear nearly the same stress.
+/// A cantilever that is bent far more than it is pulled: at its root both sides of the section bear nearly the same
+/// stress.
 const BENT: &str = r#"
 format = 1
 [model]
@@ -68,8 +70,8 @@ step = 1e-3
 tolerance = 1e-12
 "#;
 
-/// The derivative is that of the side that bears more, also where the other one takes over within a small part of the differences' reach:
-/// over both of them differences average.
+/// The derivative is that of the side that bears more, also where the other one takes over within a small part of the
+/// differences' reach: over both of them differences average.
 #[test]
 fn regression_stress_near_a_tie() {
     for overrides in [&[("simulation.analysis", "static")][..], &[]] {

@@ -1,11 +1,13 @@
-//! A tension center off the axis of a beam. Axial forces along the axis must bend as the parallel-axis theorem says; a beam drawn on its axis must move as one drawn through its
-//! tension centers that is held and loaded by rigid arms; results must keep the element's order and their energy. A wrong sign or a missing term shows at order 1.
+//! A tension center off the axis of a beam. Axial forces along the axis must bend as the parallel-axis theorem says; a
+//! beam drawn on its axis must move as one drawn through its tension centers that is held and loaded by rigid arms;
+//! results must keep the element's order and their energy. A wrong sign or a missing term shows at order 1.
 
 use crate::running::{run, start, try_start, value, vector};
 use ancf14::fmi::Model;
 use ancf14::math::Vec3;
 
-/// A cantilever of 2 m along x whose rigidities are about axes through the tension center, with the strain `strain`; `center` are its keys.
+/// A cantilever of 2 m along x whose rigidities are about axes through the tension center, with the strain `strain`;
+/// `center` are its keys.
 fn cantilever(strain: &str, center: &str, elements: usize, more: &str) -> String {
     format!(
         "format = 1
@@ -49,8 +51,9 @@ fn tip(text: &str) -> (Vec3, Vec3) {
     (vector(&simulation, "tip.displacement"), vector(&simulation, "tip.rotation"))
 }
 
-/// A force F along the axis acts at `-c` from the tension center: the curvatures are `F y/EI_z` and `F z/EI_y`, and the axis strains by `F (1/EA + y²/EI_z + z²/EI_y)`. What the hand calculation
-/// leaves out, that the tension straightens the beam, falls with the load: by 10 for a tenth of it.
+/// A force F along the axis acts at `-c` from the tension center: the curvatures are `F y/EI_z` and `F z/EI_y`, and the
+/// axis strains by `F (1/EA + y²/EI_z + z²/EI_y)`. What the hand calculation leaves out, that the tension straightens
+/// the beam, falls with the load: by 10 for a tenth of it.
 #[test]
 fn axial_forces_bend_as_the_parallel_axis_theorem_says() {
     for strain in STRAINS {
@@ -70,9 +73,10 @@ fn axial_forces_bend_as_the_parallel_axis_theorem_says() {
     }
 }
 
-/// Bent in the plane of the offset, where no torsion tells the shear centers apart: the same beam drawn through its tension centers, welded to ground where it starts, and loaded at the end of a rigid
-/// arm. The axis strains by 1 %, which the odd moments of fibers see to first order: what differs is of
-/// second order, and falls by 100 for a tenth of the load, but for the error of the mesh.
+/// Bent in the plane of the offset, where no torsion tells the shear centers apart: the same beam drawn through its
+/// tension centers, welded to ground where it starts, and loaded at the end of a rigid arm. The axis strains by 1 %,
+/// which the odd moments of fibers see to first order: what differs is of second order, and falls by 100 for a tenth of
+/// the load, but for the error of the mesh.
 #[test]
 fn an_offset_beam_moves_as_a_centered_one_with_rigid_arms() {
     for strain in STRAINS {
@@ -112,7 +116,8 @@ fn an_offset_beam_moves_as_a_centered_one_with_rigid_arms() {
     }
 }
 
-/// Bent and twisted in space by a force of some size: order 4 over coarse elements, as without an offset; beyond an error of some 1e-6 of the length the order is lower.
+/// Bent and twisted in space by a force of some size: order 4 over coarse elements, as without an offset; beyond an
+/// error of some 1e-6 of the length the order is lower.
 #[test]
 fn results_keep_their_order() {
     for strain in STRAINS {
@@ -132,7 +137,8 @@ fn results_keep_their_order() {
     }
 }
 
-/// A center that is on the axis at the middle point of an element, and nowhere else, acts as one a nanometer beside: the tips agree to what a nanometer does, 1e-7 of the bending.
+/// A center that is on the axis at the middle point of an element, and nowhere else, acts as one a nanometer beside:
+/// the tips agree to what a nanometer does, 1e-7 of the bending.
 #[test]
 fn regression_a_center_that_crosses_the_axis_counts() {
     for strain in STRAINS {
@@ -168,7 +174,8 @@ fn section_forces_are_those_of_the_loads() {
     }
 }
 
-/// A beam that swings in space: energy is kept as by every beam, to the tolerance of the steps; with damping the account is complete.
+/// A beam that swings in space: energy is kept as by every beam, to the tolerance of the steps; with damping the
+/// account is complete.
 #[test]
 fn energy_is_kept() {
     for strain in STRAINS {

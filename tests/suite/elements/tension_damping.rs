@@ -49,7 +49,8 @@ fn wire(more: &str, integrator: &str) -> String {
     )
 }
 
-/// One mass on a spring EA/L with the damper c EA/L: `ω² = EA/L/(m + ρ A L/3)`, and amplitudes fall as `exp(−c ω² t/2)`. The wire's own waves, and steps of 0.02 of a period, leave 1e-3.
+/// One mass on a spring EA/L with the damper c EA/L: `ω² = EA/L/(m + ρ A L/3)`, and amplitudes fall as
+/// `exp(−c ω² t/2)`. The wire's own waves, and steps of 0.02 of a period, leave 1e-3.
 #[test]
 fn stretching_decays_as_a_mass_on_a_damped_spring() {
     let damping = 1e-3;
@@ -71,7 +72,8 @@ fn stretching_decays_as_a_mass_on_a_damped_spring() {
     }
 }
 
-/// What the damper takes is missing from the energy. The rest is what the steps take, of second order in 0.02 rad: 1e-4 of the energy at most.
+/// What the damper takes is missing from the energy. The rest is what the steps take, of second order in 0.02 rad: 1e-4
+/// of the energy at most.
 #[test]
 fn its_energy_is_accounted_for() {
     let curves = Curves::run(&wire("tension_damping = 1e-3", "step = 2e-4"), &[]);
@@ -83,7 +85,8 @@ fn its_energy_is_accounted_for() {
     assert!(last > 0.5 * total[0] && worst < 1e-4 * total[0], "{worst:e} {last} {}", total[0]);
 }
 
-/// A swing across the wire, so small that it does not stretch it, keeps its amplitude where a material with the same coefficient loses it.
+/// A swing across the wire, so small that it does not stretch it, keeps its amplitude where a material with the same
+/// coefficient loses it.
 #[test]
 fn bending_is_not_damped() {
     let across = |more: &str| {

@@ -71,8 +71,9 @@ fn orders(errors: &[f64]) -> Vec<f64> {
     errors.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect()
 }
 
-/// Deflection of a wedge whose height halves, by `∫ (L − x)²/EI(x) dx`: `P L³/EI₀ · 2 (4 ln 2 − 2.5)` across its height and `2 (ln 2 − 0.5)` across its width.
-/// The rule must keep the element's order 4; forces so small that squares of the rotation are below the last error.
+/// Deflection of a wedge whose height halves, by `∫ (L − x)²/EI(x) dx`: `P L³/EI₀ · 2 (4 ln 2 − 2.5)` across its height
+/// and `2 (ln 2 − 0.5)` across its width. The rule must keep the element's order 4; forces so small that squares of the
+/// rotation are below the last error.
 #[test]
 fn tapered_cantilevers_bend_as_they_must() {
     let stiffness = |other: f64, size: f64| 2.1e11 * other * size.powi(3) / 12.0;
@@ -91,7 +92,8 @@ fn tapered_cantilevers_bend_as_they_must() {
     }
 }
 
-/// Frequencies (Hz) of a cantilever of length 2 m by Ritz's method with ten polynomials: an independent model, exact to 1e-9 for smooth sections.
+/// Frequencies (Hz) of a cantilever of length 2 m by Ritz's method with ten polynomials: an independent model, exact to
+/// 1e-9 for smooth sections.
 fn ritz(rigidity: impl Fn(f64) -> f64, line_density: impl Fn(f64) -> f64) -> Vec<f64> {
     const TERMS: usize = 10;
     let (length, cells) = (2.0, 400);
@@ -196,7 +198,8 @@ fn rigidities_stand_for_material_and_shape() {
     }
 }
 
-/// A rectangle whose axes are turned by half a radian, and the same section by its integrals in axes that are not turned.
+/// A rectangle whose axes are turned by half a radian, and the same section by its integrals in axes that are not
+/// turned.
 #[test]
 fn unsymmetric_bending_is_that_of_turned_axes() {
     let (sin, cos) = 0.5_f64.sin_cos();
@@ -281,7 +284,8 @@ fn tapered_beams_keep_energy() {
     assert!(kinetic > 0.1 && drift < 1e-8 * kinetic, "{drift:e} {kinetic}");
 }
 
-/// `∫ y^a z^b dA` over a union of rectangles by a midpoint rule, about its centroid; its error with these cells is below 1e-4 relative.
+/// `∫ y^a z^b dA` over a union of rectangles by a midpoint rule, about its centroid; its error with these cells is
+/// below 1e-4 relative.
 fn moments(inside: impl Fn(f64, f64) -> bool, [width, height]: [f64; 2]) -> impl Fn(i32, i32) -> f64 {
     const CELLS: u32 = 240;
     let mut points = Vec::new();

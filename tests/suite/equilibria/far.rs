@@ -1,5 +1,5 @@
-//! Equilibria that are far from where Newton starts (MECHANICS 7.12): the axial strains that its corrections leave must not stiffen beams, the forces must be exact, and
-//! Newton must still find equilibria behind a limit point.
+//! Equilibria that are far from where Newton starts (MECHANICS 7.12): the axial strains that its corrections leave must
+//! not stiffen beams, the forces must be exact, and Newton must still find equilibria behind a limit point.
 
 use crate::elements::element_derivatives::{stiffness, straight};
 use crate::running::start;
@@ -14,8 +14,9 @@ use ancf14::model::simulation::Simulation;
 use ancf14::solve::statics::Statics;
 use nalgebra::{SMatrix, SVector};
 
-/// A bar that a correction has turned by a small angle is longer, by the angle's square. With the force of that it resists a further turn; to first order the
-/// correction was to leave no force, and the tangent is that of a bar without. The forces are those of the longer bar, to the last bit.
+/// A bar that a correction has turned by a small angle is longer, by the angle's square. With the force of that it
+/// resists a further turn; to first order the correction was to leave no force, and the tangent is that of a bar
+/// without. The forces are those of the longer bar, to the last bit.
 #[test]
 fn turned_bars_do_not_become_stiffer() {
     const LENGTH: f64 = 0.7;
@@ -48,8 +49,9 @@ fn turned_bars_do_not_become_stiffer() {
     }
 }
 
-/// A strip that its load bends by half its length: from the unloaded one on every correction is at most of the size of the square of the one before. With the axial forces that corrections leave, a correction of
-/// 7e-4 was followed by one of 2e-3.
+/// A strip that its load bends by half its length: from the unloaded one on every correction is at most of the size of
+/// the square of the one before. With the axial forces that corrections leave, a correction of 7e-4 was followed by one
+/// of 2e-3.
 #[test]
 fn corrections_shrink_by_their_square() {
     const MODEL: &str = include_str!("../../../models/princeton_beam.toml");
@@ -75,7 +77,9 @@ fn corrections_shrink_by_their_square() {
     assert!(corrections[0] > 0.4, "{corrections:?}");
 }
 
-/// A shallow arch snaps through under a load that is too large for it. Behind the limit point the exact tangent finds the other side, far away, for this load; for most others Newton fails with either tangent. Each equilibrium on the way, also where the one before is unstable, follows from the saved state before it to the same bits.
+/// A shallow arch snaps through under a load that is too large for it. Behind the limit point the exact tangent finds
+/// the other side, far away, for this load; for most others Newton fails with either tangent. Each equilibrium on the
+/// way, also where the one before is unstable, follows from the saved state before it to the same bits.
 #[test]
 fn arches_that_snap_are_found_on_the_other_side() {
     let mut simulation = start(

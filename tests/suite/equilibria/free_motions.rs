@@ -1,5 +1,7 @@
-//! A free motion that takes no load, as the spin of a cable between two ball joints, must not keep an equilibrium from being found: the solver holds it and says so. Universal joints, which leave a cable no spin, or a
-//! closed form give the values. A load along such a motion must stay an error that names it. A wrong code refuses the mechanism, holds what a load would move, or holds a motion that has a stiffness.
+//! A free motion that takes no load, as the spin of a cable between two ball joints, must not keep an equilibrium from
+//! being found: the solver holds it and says so. Universal joints, which leave a cable no spin, or a closed form give
+//! the values. A load along such a motion must stay an error that names it. A wrong code refuses the mechanism, holds
+//! what a load would move, or holds a motion that has a stiffness.
 
 use crate::running::{run, start, try_start, value, vector};
 use ancf14::fmi::Model;
@@ -37,7 +39,8 @@ fn is_held(told: &str) -> bool {
     told.contains("takes no load") || told.contains("take no load")
 }
 
-/// The ends of a cable of 1 m come 0.4 m nearer to each other while it hangs: its sag with ball joints is that with universal joints.
+/// The ends of a cable of 1 m come 0.4 m nearer to each other while it hangs: its sag with ball joints is that with
+/// universal joints.
 #[test]
 fn a_cable_between_ball_joints_hangs_as_between_universal_joints() {
     let carriage = |name: &str, x: f64, way: &str| {
@@ -101,7 +104,8 @@ fn every_cable_of_a_series_may_spin() {
     }
 }
 
-/// A column with a taut cable beside it hangs on one ball joint, without weight: three free rotations, and a shortening `u` with `k (d - u) = EA/L u`.
+/// A column with a taut cable beside it hangs on one ball joint, without weight: three free rotations, and a shortening
+/// `u` with `k (d - u) = EA/L u`.
 #[test]
 fn a_free_part_under_its_own_stress_shortens_by_the_closed_form() {
     let text = "format = 1\n[model]\nname = \"Column\"\n\
@@ -125,7 +129,8 @@ fn a_free_part_under_its_own_stress_shortens_by_the_closed_form() {
     assert!(f64::hypot(end[0], end[1]) < 1e-7, "{end}");
 }
 
-/// An arc between two ball joints turns freely about its chord, and a pull along the chord does not stir it: in whichever plane it is drawn it gives way alike.
+/// An arc between two ball joints turns freely about its chord, and a pull along the chord does not stir it: in
+/// whichever plane it is drawn it gives way alike.
 #[test]
 fn an_arc_gives_way_alike_in_every_plane() {
     let ways = [0.0, 0.7, 2.0].map(|angle: f64| {
@@ -156,7 +161,8 @@ fn an_arc_gives_way_alike_in_every_plane() {
     assert!(ways.iter().all(|way| (way - ways[0]).abs() < 1e-6), "{ways:?}");
 }
 
-/// A moment about the axis of the spin has no equilibrium, whether it acts at once or sets in later: the error names the motion. A moment across it only bends.
+/// A moment about the axis of the spin has no equilibrium, whether it acts at once or sets in later: the error names
+/// the motion. A moment across it only bends.
 #[test]
 fn a_moment_about_a_free_axis_is_an_error() {
     let text = |moment: &str| {

@@ -1,6 +1,6 @@
-//! What hangs has no stiffness before it pulls: a rope drawn slack, a pendulum drawn aside, a load on a hook. The equilibrium must be
-//! found all the same, by letting the machine fall, and a motion that stays free must be named. A plain Newton iteration calls all of
-//! these singular.
+//! What hangs has no stiffness before it pulls: a rope drawn slack, a pendulum drawn aside, a load on a hook. The
+//! equilibrium must be found all the same, by letting the machine fall, and a motion that stays free must be named. A
+//! plain Newton iteration calls all of these singular.
 
 use crate::curves::Curves;
 use crate::running::vector;
@@ -51,8 +51,8 @@ fn a_chain_of_bodies_falls_to_where_it_hangs() {
     }
 }
 
-/// A bar on a hinge, drawn level: Newton's iteration may well come to rest with the bar upright, which nothing holds. Whatever its stiffness
-/// and its elements, it must hang.
+/// A bar on a hinge, drawn level: Newton's iteration may well come to rest with the bar upright, which nothing holds.
+/// Whatever its stiffness and its elements, it must hang.
 #[test]
 fn a_hinged_bar_hangs_down() {
     for (radius, elements, strain) in
@@ -75,7 +75,8 @@ fn a_hinged_bar_hangs_down() {
     }
 }
 
-/// By ball joints each link can spin about the vertical without end: no place of rest is better than another. The links hang all the same, and are told to be held.
+/// By ball joints each link can spin about the vertical without end: no place of rest is better than another. The links
+/// hang all the same, and are told to be held.
 #[test]
 fn a_motion_that_stays_free_is_named() {
     let mut simulation = Simulation::load("model.toml", &chain("spherical", 2, 0.5), &[]).unwrap();

@@ -1,5 +1,5 @@
-//! A path of equilibria that is followed by its arc length: past limit points, through branch points and over to the path that crosses, against closed forms and a rod
-//! that is integrated here.
+//! A path of equilibria that is followed by its arc length: past limit points, through branch points and over to the
+//! path that crosses, against closed forms and a rod that is integrated here.
 
 use crate::paths::{Arch, Case, Twisted, follow, number_behind};
 use crate::planar_rod::Load;
@@ -37,8 +37,8 @@ fn roof_load(z: f64) -> f64 {
     4e7 * z * (0.04 - z * z) / (1.04_f64).powf(1.5) / ROOF_LOAD
 }
 
-/// The whole path is that of the closed form, through both limit points, which are found to 1e-9 whatever the steps. The bars stay straight: two elements are exact, what Newton leaves is
-/// round-off.
+/// The whole path is that of the closed form, through both limit points, which are found to 1e-9 whatever the steps.
+/// The bars stay straight: two elements are exact, what Newton leaves is round-off.
 #[test]
 fn a_roof_is_followed_through_both_limit_points() {
     for (step, every) in [("0.1", 0.1), ("0.03", 0.03)] {
@@ -92,8 +92,9 @@ fn elliptic(k: f64) -> (f64, f64) {
     (first, first * (1.0 - sum))
 }
 
-/// The column branches at Euler's load, and the path that is gone over to is the elastica: `P/P_E = (2K/π)²`, tip at `2E/K − 1` and `2k/K`. Compression changes loads by
-/// the strain at the critical load, 7.4e-6, and 16 elements change the critical load by less; where the tip hangs below the clamp a bend of 2.4 rad leaves 1e-4 of the length.
+/// The column branches at Euler's load, and the path that is gone over to is the elastica: `P/P_E = (2K/π)²`, tip at
+/// `2E/K − 1` and `2k/K`. Compression changes loads by the strain at the critical load, 7.4e-6, and 16 elements change
+/// the critical load by less; where the tip hangs below the clamp a bend of 2.4 rad leaves 1e-4 of the length.
 #[test]
 fn a_column_goes_over_to_the_elastica_both_ways() {
     let names = ["path.parameter", "tip.displacement[1]", "tip.displacement[3]", "path.unstable_motions"];
@@ -115,7 +116,8 @@ fn a_column_goes_over_to_the_elastica_both_ways() {
             }
             let (first, second) = elliptic(low);
             let wanted = [2.0 * second / first - 2.0, 2.0 * low / first];
-            // Just behind the branch point the deflection goes with the root of the load above the critical one, which errs by 1e-5.
+            // Just behind the branch point the deflection goes with the root of the load above the critical one, which
+            // errs by 1e-5.
             let allowed = 2e-4 + 1e-5 / row[2].abs();
             let off = f64::max((row[1] - wanted[0]).abs(), (row[2].abs() - wanted[1]).abs());
             assert!(off < allowed, "{row:?} {wanted:?}");
@@ -127,7 +129,8 @@ fn a_column_goes_over_to_the_elastica_both_ways() {
     assert!(sideways[0] > 0.5 && (sideways[0] + sideways[1]).abs() < 1e-9, "{sideways:?}");
 }
 
-/// Without `branches` the run stays on the straight path, tells each critical load `(2n − 1)²` and counts the motions that release energy.
+/// Without `branches` the run stays on the straight path, tells each critical load `(2n − 1)²` and counts the motions
+/// that release energy.
 #[test]
 fn a_column_that_stays_straight_tells_what_it_passes() {
     let text = column("").replace("stop = 2.4", "stop = 10").replace("step = 0.05", "step = 0.4");
@@ -142,8 +145,9 @@ fn a_column_that_stays_straight_tells_what_it_passes() {
     }
 }
 
-/// Lee's frame under a load that keeps its direction and under one that turns with the girder: every row is near the path of the same frame as two extensible rods, which are integrated,
-/// by displacements over the side and the load over the critical one. Twice as many elements are 8 times nearer at least (order 3.5 or more).
+/// Lee's frame under a load that keeps its direction and under one that turns with the girder: every row is near the
+/// path of the same frame as two extensible rods, which are integrated, by displacements over the side and the load
+/// over the critical one. Twice as many elements are 8 times nearer at least (order 3.5 or more).
 #[test]
 fn lees_frame_is_followed_whole() {
     for follower in [false, true] {
@@ -160,8 +164,8 @@ fn lees_frame_is_followed_whole() {
     }
 }
 
-/// Arches under loads at the crown and along them, dead and follower: every row is near the path of the same arch as an extensible rod, which is integrated. The deep arch bears
-/// `8.97 E I/R²` at its crown (DaDeppo and Schmidt 1975).
+/// Arches under loads at the crown and along them, dead and follower: every row is near the path of the same arch as an
+/// extensible rod, which is integrated. The deep arch bears `8.97 E I/R²` at its crown (DaDeppo and Schmidt 1975).
 #[test]
 fn arches_are_followed_whole() {
     for (name, arch) in Arch::all() {
@@ -181,7 +185,8 @@ fn arches_are_followed_whole() {
     }
 }
 
-/// A hinged half circle under a pressure that follows it sways at `3 E I/R³` (Timoshenko and Gere), of 32 elements within 1e-4; its compression changes that by the strain, 3e-6.
+/// A hinged half circle under a pressure that follows it sways at `3 E I/R³` (Timoshenko and Gere), of 32 elements
+/// within 1e-4; its compression changes that by the strain, 3e-6.
 #[test]
 fn a_half_circle_sways_under_pressure() {
     let (_, told) = Case::half_circle(32).equilibria();
@@ -190,8 +195,9 @@ fn a_half_circle_sways_under_pressure() {
     assert!((load - 1.0).abs() < 1e-4, "{told:?}");
 }
 
-/// A straight rod and a ring, twisted past their critical twists, over to the buckled paths: both leave at the torques of Greenhill, `8.98682 E I/L`, and Michell, `√3 E I/R`, and every buckled row is near the path
-/// of an integrated rod, displacements over the length and turns over a whole one.
+/// A straight rod and a ring, twisted past their critical twists, over to the buckled paths: both leave at the torques
+/// of Greenhill, `8.98682 E I/L`, and Michell, `√3 E I/R`, and every buckled row is near the path of an integrated rod,
+/// displacements over the length and turns over a whole one.
 #[test]
 fn twisted_rods_are_followed_past_their_critical_twist() {
     for (is_ring, critical, meshes) in
@@ -202,7 +208,8 @@ fn twisted_rods_are_followed_past_their_critical_twist() {
             let (points, told) = case.equilibria();
             let leaves = 10.0 * number_behind(&told, ", t = ");
             assert!((leaves / critical - 1.0).abs() < 1e-3, "{leaves} {critical}");
-            // Nearest to the branch point the way is along the buckled shape, and the plane across it holds the straight rod too.
+            // Nearest to the branch point the way is along the buckled shape, and the plane across it holds the
+            // straight rod too.
             let buckled: Vec<_> = points.into_iter().skip_while(|point| point.middle.norm() < 0.02).collect();
             let worst = case.rod.distance_from(&buckled);
             println!(
@@ -216,8 +223,8 @@ fn twisted_rods_are_followed_past_their_critical_twist() {
     }
 }
 
-/// The right-angle frame comes back flat after its ends have turned once around, under the opposite of the moment at which it left, 1e-5 of it; the mesh is its own mirror image, and the path
-/// crosses others without leaving.
+/// The right-angle frame comes back flat after its ends have turned once around, under the opposite of the moment at
+/// which it left, 1e-5 of it; the mesh is its own mirror image, and the path crosses others without leaving.
 #[test]
 fn a_right_angle_frame_comes_back_flat() {
     let names = ["path.parameter", "tip.displacement[3]", "hinge.angle"];
@@ -234,7 +241,8 @@ fn a_right_angle_frame_comes_back_flat() {
     assert!(highest > 2.3 && lowest < -2.3, "{highest} {lowest}");
 }
 
-/// A state that is saved on the way, also as bytes that another instance reads, goes on to the same bits, past a limit point and a branch point.
+/// A state that is saved on the way, also as bytes that another instance reads, goes on to the same bits, past a limit
+/// point and a branch point.
 #[test]
 fn a_saved_state_goes_on_along_the_same_path() {
     let mut simulation = start(&column("branches = [-1]"));

@@ -1,4 +1,5 @@
-//! A motion that begins at the end of a path of equilibria: history counts, what holds the mechanism until the start lets go there, and what a host drives has arrived.
+//! A motion that begins at the end of a path of equilibria: history counts, what holds the mechanism until the start
+//! lets go there, and what a host drives has arrived.
 
 use crate::curves::{Curves, load};
 use crate::running::{start, value};
@@ -37,8 +38,8 @@ totals = ["energy", "work"]
     )
 }
 
-/// A hand draws the block and lets go at the start: it swings as `x₀ cos ωt` from its first instant on, `ω = 10 rad/s`. The error of the time steps is asked to be 1e-6 of the
-/// range; the account of energy begins there, and is complete.
+/// A hand draws the block and lets go at the start: it swings as `x₀ cos ωt` from its first instant on, `ω = 10 rad/s`.
+/// The error of the time steps is asked to be 1e-6 of the range; the account of energy begins there, and is complete.
 #[test]
 fn what_is_let_go_at_the_start_swings_from_there() {
     let hand =
@@ -56,8 +57,8 @@ fn what_is_let_go_at_the_start_swings_from_there() {
     }
 }
 
-/// Two springs of 1 m to points 0.8 m away hold a block 0.6 m above them or 0.6 m below, and nowhere between: where a hand has pushed it, it stays, also when the hand has let go
-/// on the way.
+/// Two springs of 1 m to points 0.8 m away hold a block 0.6 m above them or 0.6 m below, and nowhere between: where a
+/// hand has pushed it, it stays, also when the hand has let go on the way.
 #[test]
 fn a_truss_stays_where_the_path_has_snapped_it() {
     let truss = |push: f64| {
@@ -110,7 +111,8 @@ stop = 0.01
     }
 }
 
-/// A lock that engages on the way holds the block where it stands then, and its effort is the rest of the load: in motion as on the path.
+/// A lock that engages on the way holds the block where it stands then, and its effort is the rest of the load: in
+/// motion as on the path.
 #[test]
 fn a_lock_holds_where_the_path_was_when_it_engaged() {
     let more = "[load.push]\nat = \"block\"\nforce = [\"120*min(t + 1, 1)\", 0, 0]\n\
@@ -125,7 +127,8 @@ fn a_lock_holds_where_the_path_was_when_it_engaged() {
     }
 }
 
-/// What a host drives goes to where the host wants it at the start, and stands there: the next communication step begins at rest.
+/// What a host drives goes to where the host wants it at the start, and stands there: the next communication step
+/// begins at rest.
 #[test]
 fn what_a_host_drives_has_arrived_at_the_start() {
     for simulation in ["preload = 1", "preload = 1\nstep = 1e-3"] {
@@ -154,7 +157,8 @@ fn what_a_host_drives_has_arrived_at_the_start() {
     }
 }
 
-/// A drive by a rate has gone its way when the motion begins, and goes on from there; one whose rate the host gives has stood still.
+/// A drive by a rate has gone its way when the motion begins, and goes on from there; one whose rate the host gives has
+/// stood still.
 #[test]
 fn drives_by_a_rate_go_on_from_where_the_path_ends() {
     let driven = |rate: &str| {
@@ -175,7 +179,8 @@ fn drives_by_a_rate_go_on_from_where_the_path_ends() {
     }
 }
 
-/// A frame that moves is drawn where it is when the path begins, and has carried its body along when the motion begins; a state that is read back belongs to the same drawing.
+/// A frame that moves is drawn where it is when the path begins, and has carried its body along when the motion begins;
+/// a state that is read back belongs to the same drawing.
 #[test]
 fn frames_are_drawn_where_the_path_begins() {
     let carried = r#"format = 1
@@ -217,7 +222,8 @@ stop = 1
     assert_eq!(value(&other, "B.position[1]").to_bits(), value(&model, "B.position[1]").to_bits());
 }
 
-/// A drawn bow gives all it holds to the arrow where limbs and string weigh next to nothing: `v = √(2 W/m)`, but for what stays in the braced bow.
+/// A drawn bow gives all it holds to the arrow where limbs and string weigh next to nothing: `v = √(2 W/m)`, but for
+/// what stays in the braced bow.
 #[test]
 fn a_light_bow_gives_its_energy_to_the_arrow() {
     const BOW: &str = include_str!("../../../models/bow.toml");

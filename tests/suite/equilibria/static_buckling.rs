@@ -1,6 +1,7 @@
-//! Does a static path say where it buckles? The classical critical loads of struts, of a twisted shaft and of a strip; both ways, once
-//! each, also where two motions become unstable at once; and nothing on paths that stay stable. A code that looked at the sign of the
-//! determinant would miss round struts, one that looked at the nearest eigenvalue only would call far-buckled ones stable again.
+//! Does a static path say where it buckles? The classical critical loads of struts, of a twisted shaft and of a strip;
+//! both ways, once each, also where two motions become unstable at once; and nothing on paths that stay stable. A code
+//! that looked at the sign of the determinant would miss round struts, one that looked at the nearest eigenvalue only
+//! would call far-buckled ones stable again.
 
 use crate::running::start;
 use ancf14::fmi::Model;
@@ -79,8 +80,9 @@ fn strut(section: &str, stiffness: f64) -> Simulation {
     path(section, 8, &format!("{CLAMP}{load}"))
 }
 
-/// The critical load comes by interpolation of an eigenvalue that is nearly linear in it, from a mesh with an error of 1e-5. The strut
-/// becomes stable again where it became unstable; nothing else is told, also not while the load goes on and modes pass each other.
+/// The critical load comes by interpolation of an eigenvalue that is nearly linear in it, from a mesh with an error of
+/// 1e-5. The strut becomes stable again where it became unstable; nothing else is told, also not while the load goes on
+/// and modes pass each other.
 #[test]
 fn struts_buckle_at_eulers_load() {
     for (section, stiffness, ways) in [(FLAT, STIFFNESS[1], 1), (ROUND, STIFFNESS[0], 2)] {
@@ -117,7 +119,8 @@ fn a_start_beyond_the_critical_load_is_told() {
     assert!(told.len() == 1 && told[0].contains("the equilibrium of t = 0 s is unstable"), "{told:?}");
 }
 
-/// Between hinges `ω² = ω0² (1 − P/P_E)` for tension and compression alike; what strains of `P_E/(E A)` = 4e-5 change is left out.
+/// Between hinges `ω² = ω0² (1 − P/P_E)` for tension and compression alike; what strains of `P_E/(E A)` = 4e-5 change
+/// is left out.
 #[test]
 fn frequencies_fall_to_zero_at_eulers_load() {
     let hinges = "[joint.foot]\ntype = \"universal\"\na = \"ground\"\nb = \"bar.start\"\naxis = [0, 1, 0]\naxis2 = [0, 0, 1]\n\
@@ -139,8 +142,8 @@ fn frequencies_fall_to_zero_at_eulers_load() {
     }
 }
 
-/// Greenhill's shaft: clamped at both ends, one free to slide, twisted by a drive, buckles at `M = 8.98682 E I/L`. Only the second
-/// derivatives of the holonomy are in it (MECHANICS 4): 1.4e-4 with 16 elements.
+/// Greenhill's shaft: clamped at both ends, one free to slide, twisted by a drive, buckles at `M = 8.98682 E I/L`. Only
+/// the second derivatives of the holonomy are in it (MECHANICS 4): 1.4e-4 with 16 elements.
 #[test]
 fn a_twisted_shaft_buckles_at_greenhills_moment() {
     let [stiffness, torsion] = [STIFFNESS[0], 0.8 * STIFFNESS[0]];
@@ -157,7 +160,8 @@ fn a_twisted_shaft_buckles_at_greenhills_moment() {
     assert_eq!(simulation.modes(1).unwrap().modes[0].kind, Kind::Unstable);
 }
 
-/// The strip of models/lateral_buckling.toml under a dead tip load: the table of MECHANICS 4, to the digits that interpolation leaves.
+/// The strip of models/lateral_buckling.toml under a dead tip load: the table of MECHANICS 4, to the digits that
+/// interpolation leaves.
 #[test]
 fn a_strip_buckles_sideways() {
     for (elements, table) in [(8, 2984.0), (16, 2975.2)] {
@@ -185,8 +189,8 @@ fn stable_paths_say_nothing() {
     assert_eq!(warnings(&mut bent, &steps(0.1, 1.0)), [""; 0]);
 }
 
-/// Michell's ring, models/ring.toml: bent to a ring by a moving frame and twisted, it leaves its plane at a total twist of
-/// `2 pi sqrt(3) E I/G J`, in two ways at once; 2.2e-3 with 12 elements (MECHANICS 4).
+/// Michell's ring, models/ring.toml: bent to a ring by a moving frame and twisted, it leaves its plane at a total twist
+/// of `2 pi sqrt(3) E I/G J`, in two ways at once; 2.2e-3 with 12 elements (MECHANICS 4).
 #[test]
 fn a_twisted_ring_leaves_its_plane_at_michells_twist() {
     for twist in ["linear", "quadratic"] {
@@ -221,8 +225,8 @@ fn soft_mounts_do_not_hide_the_buckling() {
     assert!(told.iter().any(|told| told.contains("the equilibrium of t = 0 s is unstable")), "{told:?}");
 }
 
-/// With a loose tolerance one iteration is enough for a strut, whose matrix then is still that of the strut as drawn: what is asked is the equilibrium
-/// that it leads to, at the start and on the way.
+/// With a loose tolerance one iteration is enough for a strut, whose matrix then is still that of the strut as drawn:
+/// what is asked is the equilibrium that it leads to, at the start and on the way.
 #[test]
 fn regression_loose_tolerances_hide_no_buckling() {
     let euler = PI * PI / 4.0 * STIFFNESS[1];
@@ -241,7 +245,8 @@ fn regression_loose_tolerances_hide_no_buckling() {
     }
 }
 
-/// An upright pendulum of 1 m on a hinge of 5 N m/rad does not move at all under its load: Newton has nothing to do, and falls over beyond 5 N.
+/// An upright pendulum of 1 m on a hinge of 5 N m/rad does not move at all under its load: Newton has nothing to do,
+/// and falls over beyond 5 N.
 #[test]
 fn regression_what_stands_still_is_judged_under_its_load() {
     let pendulum = |load: &str| {
@@ -266,8 +271,8 @@ simulation = {{ analysis = "static", stop = 2, step = 1, output_step = 1 }}
     assert!(told.len() == 1 && (critical(&told[0]) - 1.0).abs() < 1e-6, "{told:#?}");
 }
 
-/// Beside a spring of 2.6e8 N/m at the tip of a strip of half a millimeter round-off counts a motion that releases energy; the softest motion
-/// costs some.
+/// Beside a spring of 2.6e8 N/m at the tip of a strip of half a millimeter round-off counts a motion that releases
+/// energy; the softest motion costs some.
 #[test]
 fn regression_stiff_springs_raise_no_alarm() {
     let strip = "shape = \"rectangle\"\nwidth = 0.000508896\nheight = 0.00101779";

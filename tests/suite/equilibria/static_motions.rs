@@ -1,5 +1,6 @@
-//! Equilibria at every time while frames and drives move: what is read off a state belongs to its very time, and whole turns of a frame
-//! between two results are gone through, not cut short. A state that is carried on before its frame is shows angles of the step before.
+//! Equilibria at every time while frames and drives move: what is read off a state belongs to its very time, and whole
+//! turns of a frame between two results are gone through, not cut short. A state that is carried on before its frame is
+//! shows angles of the step before.
 
 use crate::curves::Curves;
 
@@ -52,7 +53,8 @@ fn what_is_read_belongs_to_its_time() {
     }
 }
 
-/// A rod whose end a frame turns by 7 rad: the torque is that of 7 rad, whether the results are one second apart or ten to a second.
+/// A rod whose end a frame turns by 7 rad: the torque is that of 7 rad, whether the results are one second apart or ten
+/// to a second.
 #[test]
 fn whole_turns_of_a_frame_count() {
     let text = r#"

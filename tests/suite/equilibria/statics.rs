@@ -31,8 +31,9 @@ fn tip(state: &State) -> Vec3 {
     vec3(&state.q, state.q.len() - 7)
 }
 
-/// A transverse dead force on a cantilever, 15 sizes, against the elliptic-integral solution in tests/references/elastica.csv;
-/// 8 elements are off by 3.6e-5 of the length at the load of the table in MECHANICS 5 and by less than 1e-4 at all.
+/// A transverse dead force on a cantilever, 15 sizes, against the elliptic-integral solution in
+/// tests/references/elastica.csv; 8 elements are off by 3.6e-5 of the length at the load of the table in MECHANICS 5
+/// and by less than 1e-4 at all.
 #[test]
 fn elastica() {
     let rows = include_str!("../../references/elastica.csv")
@@ -56,7 +57,8 @@ fn elastica() {
     assert_eq!(count, 15);
 }
 
-/// The end moment 2 pi EI/L bends a cantilever to a closed circle: the tip comes back to the root, with order 4 in the element length.
+/// The end moment 2 pi EI/L bends a cantilever to a closed circle: the tip comes back to the root, with order 4 in the
+/// element length.
 #[test]
 fn roll_up_to_a_circle() {
     let error = |elements: usize| {
@@ -90,8 +92,9 @@ fn bar_in_tension_is_exact() {
     assert!((tip(&state)[0] - 1.001).abs() < 1e-14, "{}", tip(&state)[0] - 1.001);
 }
 
-/// A free motion that takes a load, and a constraint that is there twice, are errors that name the place. Without a load along it, a free motion is held and told,
-/// also where Newton finds an answer by chance: without loads nothing moves, and a load that does no work in the free direction does not stir it.
+/// A free motion that takes a load, and a constraint that is there twice, are errors that name the place. Without a
+/// load along it, a free motion is held and told, also where Newton finds an answer by chance: without loads nothing
+/// moves, and a load that does no work in the free direction does not stir it.
 #[test]
 fn free_motions_and_double_holds_are_named() {
     let message = |prepare: &dyn Fn(&mut SystemBuilder, usize)| {
@@ -146,11 +149,13 @@ fn jumps_of_loads_are_bridged() {
         statics.find(&system, &mut slowly, f64::from(step) / 50.0).unwrap();
     }
     assert_eq!(slowly.statistics.rejected, 0);
-    // Newton's tolerance, and the round-off of an axial stiffness of 1e11 times the bending stiffness over the length cubed.
+    // Newton's tolerance, and the round-off of an axial stiffness of 1e11 times the bending stiffness over the length
+    // cubed.
     assert!((tip(&at_once) - tip(&slowly)).norm() < 1e-9, "{:e}", (tip(&at_once) - tip(&slowly)).norm());
 }
 
-/// A reversal is ramped from the loads that act, not from nothing: the beam unrolls and rolls up the other way, a mirror image.
+/// A reversal is ramped from the loads that act, not from nothing: the beam unrolls and rolls up the other way, a
+/// mirror image.
 #[test]
 fn reversals_start_from_the_loads_that_act() {
     let beam = thin(8);

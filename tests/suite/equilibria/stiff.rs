@@ -1,5 +1,6 @@
-//! Equilibria of parts that are far stiffer along their axis than across it. A correction stretches them, and a matrix with that tension makes the next corrections small, however large the error still is. Newton must not stop
-//! there, nor take a stressed iterate for an equilibrium that holds.
+//! Equilibria of parts that are far stiffer along their axis than across it. A correction stretches them, and a matrix
+//! with that tension makes the next corrections small, however large the error still is. Newton must not stop there,
+//! nor take a stressed iterate for an equilibrium that holds.
 
 use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
@@ -8,7 +9,8 @@ use ancf14_testing::curves::{Curves, largest, load};
 /// Without gravity; the name and the parts follow.
 const HEAD: &str = "format = 1\n[model]\ngravity = [0, 0, 0]\n";
 
-/// Largest distance of the weight at `end` from where it hangs 1 m from the hinge, in ten steps to a pull aside of `side` times its weight, m.
+/// Largest distance of the weight at `end` from where it hangs 1 m from the hinge, in ten steps to a pull aside of
+/// `side` times its weight, m.
 fn largest_error(parts: &str, end: &str, side: f64) -> f64 {
     let run = format!(
         "[output.seen]\nat = \"{end}\"\nquantities = [\"position\"]\n[simulation]\nanalysis = \"static\"\nstep = 0.1\noutput_step = 0.1\nstop = 1\n"
@@ -90,7 +92,8 @@ force = ["t", 0, -1]
     assert!(error < 1e-8, "{error:e} m");
 }
 
-/// A beam that heat has bent is free to turn about its hinge. The stresses of Newton's iterates hold it; the run must still tell that it can turn.
+/// A beam that heat has bent is free to turn about its hinge. The stresses of Newton's iterates hold it; the run must
+/// still tell that it can turn.
 #[test]
 fn hot_beams_that_can_turn_are_reported() {
     let parts = r#"

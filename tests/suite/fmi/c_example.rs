@@ -1,4 +1,5 @@
-//! Do the C examples build with our header, run a unit to the same numbers as the safe interface gives, and give back all memory?
+//! Do the C examples build with our header, run a unit to the same numbers as the safe interface gives, and give back
+//! all memory?
 
 use std::{
     fs,
@@ -161,7 +162,8 @@ fn derivatives_of_the_example_are_those_of_differences() {
     assert_eq!(example.printed_under_valgrind(&[]), table);
 }
 
-/// The host of FMI 3.0 returns early once, at the internal step where the tip has passed the height, and goes on from there.
+/// The host of FMI 3.0 returns early once, at the internal step where the tip has passed the height, and goes on from
+/// there.
 #[test]
 fn a_step_of_the_example_returns_early() {
     let example = Example::build("simulate_fmi3", ARM, "ARM");

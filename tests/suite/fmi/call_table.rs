@@ -1,6 +1,6 @@
-//! Does a built unit keep the calling table, function by function, in every mode that a host can bring it to? What is legal
-//! works; what is not is refused with an error that names call and mode, and the unit goes on with the very bits of one that was not
-//! called so. (The mode after an internal fault is reached in `guard.rs`, on a toy that can panic.)
+//! Does a built unit keep the calling table, function by function, in every mode that a host can bring it to? What is
+//! legal works; what is not is refused with an error that names call and mode, and the unit goes on with the very bits
+//! of one that was not called so. (The mode after an internal fault is reached in `guard.rs`, on a toy that can panic.)
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use ancf14::{

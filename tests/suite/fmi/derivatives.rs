@@ -60,8 +60,8 @@ fn derivatives_by_inputs() {
     assert!(instance.directional_derivative(&[POSITION], &[FORCE], &[], &mut change).is_err());
 }
 
-/// Seeds may be so large that their products exceed the range of a double: an error then, not an infinite change, and no element of the
-/// array is written.
+/// Seeds may be so large that their products exceed the range of a double: an error then, not an infinite change, and
+/// no element of the array is written.
 #[test]
 fn regression_changes_are_finite() {
     let mut instance = stepped(1);
@@ -73,7 +73,8 @@ fn regression_changes_are_finite() {
     }
 }
 
-/// In Initialization Mode the unknowns are what is calculated, the knowns what can be set; by time there are derivatives too.
+/// In Initialization Mode the unknowns are what is calculated, the knowns what can be set; by time there are
+/// derivatives too.
 #[test]
 fn derivatives_in_initialization_mode() {
     let mut instance = Instance::new(toy(), false);

@@ -1,6 +1,6 @@
 //! What becomes of a panic on its way to C? The guard that every exported function goes through is run on a toy model
-//! that panics in a step: fatal status, a log line, nothing on stderr, and the handle can still be given back. Without a
-//! guard the host would die.
+//! that panics in a step: fatal status, a log line, nothing on stderr, and the handle can still be given back. Without
+//! a guard the host would die.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::{ffi::c_void, process::Command, ptr::null_mut};

@@ -1,5 +1,5 @@
-//! What becomes of handles that are none: freed already, of something else, or another pointer? Each is refused with an error, and the unit
-//! goes on. Without a list of live handles these calls free or read whatever is at the address.
+//! What becomes of handles that are none: freed already, of something else, or another pointer? Each is refused with an
+//! error, and the unit goes on. Without a list of live handles these calls free or read whatever is at the address.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use ancf14::ffi::{

@@ -155,7 +155,8 @@ fn reads_in_initialization_mode_solve_and_remember() {
     assert_eq!(instance.model().initializations, 2);
 }
 
-/// Parameters that fit their ranges but make no model are refused at the latest when the initialization begins, and may be mended then.
+/// Parameters that fit their ranges but make no model are refused at the latest when the initialization begins, and may
+/// be mended then.
 #[test]
 fn parameters_are_checked_before_the_initialization() {
     let mut instance = fresh();
@@ -237,7 +238,8 @@ fn the_host_s_time_is_checked() {
     }
 }
 
-/// Infinite times went on to the model: any difference is small beside them. Refused, they leave the instance as it was.
+/// Infinite times went on to the model: any difference is small beside them. Refused, they leave the instance as it
+/// was.
 #[test]
 fn regression_infinite_times_are_refused() {
     for time in [f64::INFINITY, f64::NEG_INFINITY] {
@@ -281,8 +283,8 @@ fn steps_must_be_positive_and_finite() {
     }
 }
 
-/// A host that adds up its time ends with a step of round-off, forwards from a time a little before or after ours: it is done at once, and
-/// its derivatives are used up.
+/// A host that adds up its time ends with a step of round-off, forwards from a time a little before or after ours: it
+/// is done at once, and its derivatives are used up.
 #[test]
 fn regression_a_last_step_of_round_off() {
     for (time, step) in

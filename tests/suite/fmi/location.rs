@@ -1,5 +1,5 @@
-//! Which directory does a resource location mean? Hosts write it in six ways; a wrong reading looks for the model in the
-//! wrong place, and decoding twice breaks paths with a percent sign.
+//! Which directory does a resource location mean? Hosts write it in six ways; a wrong reading looks for the model in
+//! the wrong place, and decoding twice breaks paths with a percent sign.
 
 use std::path::Path;
 

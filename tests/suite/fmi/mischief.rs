@@ -38,8 +38,8 @@ fn wrong_call(trick: usize, unit: &Unit, place: &Place, mode: Mode, random: &mut
     let (mut value, mut flag, text, order) = (7.0, 0, null(), 0);
     let no_input = [output, nowhere][random.below(2)];
     let (seed, no_seed) = (1.0, no_number(random));
-    // SAFETY: wrong arguments are the question; arrays that are not NULL have an element, and so many that no array can have them
-    // are counted, not read.
+    // SAFETY: wrong arguments are the question; arrays that are not NULL have an element, and so many that no array can
+    // have them are counted, not read.
     unsafe {
         match trick {
             0 => unit.get_real(&[output, nowhere], &mut [0.0, 0.0]),

@@ -1,7 +1,8 @@
-//! Long random sequences of calls: does a unit always do the same, and never forget what it must give back? A machine with every
-//! kind of input is set, stepped, saved, taken back, shipped as bytes, reset and started anew, a thousand times a sequence; the same
-//! sequence twice gives the same bits, and so do the same steps after a way back, in another instance too. Wrong calls in between
-//! are refused and leave no trace: the bits are those of the sequence without them.
+//! Long random sequences of calls: does a unit always do the same, and never forget what it must give back? A machine
+//! with every kind of input is set, stepped, saved, taken back, shipped as bytes, reset and started anew, a thousand
+//! times a sequence; the same sequence twice gives the same bits, and so do the same steps after a way back, in another
+//! instance too. Wrong calls in between are refused and leave no trace: the bits are those of the sequence without
+//! them.
 
 use ancf14::{ffi::types::fmi2Status, fmi::lifecycle::Mode};
 use std::{process::Command, ptr::null_mut};
@@ -306,7 +307,8 @@ fn run(place: &Place, actions: &[Action], mut mischievous: Option<Random>) -> Ve
 /// Set in a process that runs a single test.
 const ALONE: &str = "ANCF14_TEST_ALONE";
 
-/// Runs the body of the test `name` in a process of its own: the list of live handles belongs to the process, and other tests change it meanwhile.
+/// Runs the body of the test `name` in a process of its own: the list of live handles belongs to the process, and other
+/// tests change it meanwhile.
 pub fn alone(name: &str, body: impl FnOnce()) {
     if std::env::var_os(ALONE).is_some() {
         return body();

@@ -1,5 +1,5 @@
-//! Do steps far shorter than the internal step do what they should? The shortest ones are left to the next step and add up; those that are
-//! taken, however short, keep the motion.
+//! Do steps far shorter than the internal step do what they should? The shortest ones are left to the next step and add
+//! up; those that are taken, however short, keep the motion.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use ancf14::ffi::types::fmi2Status;
@@ -27,8 +27,8 @@ fn tip(unit: &Unit, place: &Place) -> [f64; 2] {
     values
 }
 
-/// Five thousand steps of 1e-12 s: the unit moves once in a thousand of them, and is never behind by more than a millionth of its
-/// internal step.
+/// Five thousand steps of 1e-12 s: the unit moves once in a thousand of them, and is never behind by more than a
+/// millionth of its internal step.
 #[test]
 fn the_shortest_steps_add_up() {
     let place = Place::new(MODEL);
@@ -44,8 +44,8 @@ fn the_shortest_steps_add_up() {
     assert!(velocity.abs() > 1e-3 && (moved / velocity - 5e-9).abs() < 1e-9, "{moved} at {velocity}");
 }
 
-/// One step of a part of the internal one, then the rest of it: the motion at the end is that of the whole, to the integrator's own error, and
-/// round-off of places over the short step does not come into velocities.
+/// One step of a part of the internal one, then the rest of it: the motion at the end is that of the whole, to the
+/// integrator's own error, and round-off of places over the short step does not come into velocities.
 #[test]
 fn short_steps_keep_the_motion() {
     let place = Place::new(MODEL);

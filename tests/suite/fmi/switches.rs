@@ -27,7 +27,8 @@ step = 1e-3
 output_step = 0.1
 "#;
 
-/// A latch is opened at 0.2 s: from there on the body falls. A state saved while it was closed keeps it closed until the host opens it again.
+/// A latch is opened at 0.2 s: from there on the body falls. A state saved while it was closed keeps it closed until
+/// the host opens it again.
 #[test]
 fn a_latch_is_an_input() {
     let simulation = Simulation::load("latch.toml", TEXT, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));

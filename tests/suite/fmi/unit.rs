@@ -1,5 +1,5 @@
-//! A unit as a host holds it: the exported functions, called in this process as C calls them, on a model file in a directory
-//! of its own. What it asks for is given back at its end.
+//! A unit as a host holds it: the exported functions, called in this process as C calls them, on a model file in a
+//! directory of its own. What it asks for is given back at its end.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::{
@@ -56,8 +56,8 @@ impl Place {
     }
 }
 
-// SAFETY of all calls below: `self.c` is a live instance of this process, used on one thread; arrays have the lengths that are
-// passed with them; saved states come from this library and are NULL after they were given back.
+// SAFETY of all calls below: `self.c` is a live instance of this process, used on one thread; arrays have the lengths
+// that are passed with them; saved states come from this library and are NULL after they were given back.
 impl<'a> Unit<'a> {
     pub fn new(place: &'a Place) -> Self {
         let lines = Box::<Lines>::default();

@@ -1,4 +1,5 @@
-//! Actuators: efforts on joint coordinates and between two points, against closed forms; energy, momentum, reactions and host inputs.
+//! Actuators: efforts on joint coordinates and between two points, against closed forms; energy, momentum, reactions
+//! and host inputs.
 
 use crate::running::{run, start, value, vector};
 use ancf14::fmi::{Model, Value};
@@ -33,8 +34,8 @@ fn wheel(actuator: &str, simulation: &str) -> String {
     )
 }
 
-/// A torque that is linear in time over each step is taken exactly by the midpoint rule: the rate is `∫ effort dt / I` to round-off, and so are
-/// power and the moment about the axis that the joint transmits.
+/// A torque that is linear in time over each step is taken exactly by the midpoint rule: the rate is `∫ effort dt / I`
+/// to round-off, and so are power and the moment about the axis that the joint transmits.
 #[test]
 fn a_torque_spins_a_wheel() {
     let mut simulation = start(&wheel("effort = \"0.3 - 0.4*t\"", "stop = 2\nstep = 1e-2\noutput_step = 1e-2"));
@@ -62,7 +63,8 @@ fn a_torque_spins_a_wheel() {
     });
 }
 
-/// The host's effort holds from the communication point on at which it is given; every communication step of 0.1 s adds its share of the rate.
+/// The host's effort holds from the communication point on at which it is given; every communication step of 0.1 s adds
+/// its share of the rate.
 #[test]
 fn a_host_gives_the_effort() {
     let mut simulation = start(&wheel("input = true\neffort = 0.1", "stop = 1\nstep = 1e-2\noutput_step = 1e-2"));
@@ -78,7 +80,8 @@ fn a_host_gives_the_effort() {
     }
 }
 
-/// A pendulum under the torque that the equation of motion asks for, `I θ'' + m g l cos θ`, moves as wanted but for the error of the step, of order 2.
+/// A pendulum under the torque that the equation of motion asks for, `I θ'' + m g l cos θ`, moves as wanted but for the
+/// error of the step, of order 2.
 #[test]
 fn computed_torque_moves_a_pendulum_as_wanted() {
     let error = |step: f64| {
@@ -104,8 +107,9 @@ fn computed_torque_moves_a_pendulum_as_wanted() {
     }
 }
 
-/// Two bodies in space with a motor between them and a cylinder that pushes them apart: efforts inside a mechanism change no momentum, and its energy by
-/// their work alone, here the integral of their power by Simpson's rule over every two steps. Steps take the work to order 2: its error falls by 4 where the step is halved.
+/// Two bodies in space with a motor between them and a cylinder that pushes them apart: efforts inside a mechanism
+/// change no momentum, and its energy by their work alone, here the integral of their power by Simpson's rule over
+/// every two steps. Steps take the work to order 2: its error falls by 4 where the step is halved.
 #[test]
 fn inner_efforts_keep_momentum_and_balance_energy() {
     let misses = |step: f64| {
@@ -153,7 +157,8 @@ fn inner_efforts_keep_momentum_and_balance_energy() {
     );
 }
 
-/// In equilibrium the effort of a motor twists a shaft by `T l/(G Jt)`, exactly in one linear element, as a moment does.
+/// In equilibrium the effort of a motor twists a shaft by `T l/(G Jt)`, exactly in one linear element, as a moment
+/// does.
 #[test]
 fn a_motor_twists_a_shaft() {
     let text = "format = 1\n[model]\nname = \"Shaft\"\n\
@@ -205,8 +210,9 @@ fn a_cylinder_carries_a_bar() {
     assert!((vector(&simulation, "bar_motion.acceleration").z + free).abs() < 1e-12);
 }
 
-/// A bar of 2 m on a hinge, carried by a cylinder from a post 1 m below the hinge. With the angle `θ` of the bar the cylinder is `l = √(5 + 4 sin θ)` long; its effort
-/// `m g r/l'` holds the weight at `θ = 0`, and has the stiffness `−e l'' = e l'²/l` there, which alone makes the bar swing.
+/// A bar of 2 m on a hinge, carried by a cylinder from a post 1 m below the hinge. With the angle `θ` of the bar the
+/// cylinder is `l = √(5 + 4 sin θ)` long; its effort `m g r/l'` holds the weight at `θ = 0`, and has the stiffness
+/// `−e l'' = e l'²/l` there, which alone makes the bar swing.
 #[test]
 fn the_effort_of_a_cylinder_has_a_stiffness() {
     let text = "format = 1\n[model]\nname = \"Bar\"\ngravity = [0, 0, -10]\n\

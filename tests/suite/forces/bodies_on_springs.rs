@@ -1,6 +1,7 @@
-//! Bodies on springs and dampers have closed forms: period and decrement of a two-point spring, of the springs on the coordinates of
-//! joints and of a bushing along and about its three axes; displacement and turn under a constant load; momenta and energy of two
-//! bodies on an anisotropic bushing that turn far. A factor, a wrong axis or a moment that is missing shows in full.
+//! Bodies on springs and dampers have closed forms: period and decrement of a two-point spring, of the springs on the
+//! coordinates of joints and of a bushing along and about its three axes; displacement and turn under a constant load;
+//! momenta and energy of two bodies on an anisotropic bushing that turn far. A factor, a wrong axis or a moment that is
+//! missing shows in full.
 
 use crate::random::Random;
 use crate::running::{run, start, value, vector};
@@ -84,7 +85,8 @@ fn springs_on_coordinates_vibrate_as_theory_says() {
          stiffness = {k}\ndamping = {c}\n[output.about]\nat = \"hinge\"\nquantities = [\"angle\"]\n"
     );
     let spin = Vec3::z() * 60.0;
-    // 0.26 rad a step at 200 steps a period: an error of the midpoint rule of its square over 12, so five times as many.
+    // 0.26 rad a step at 200 steps a period: an error of the midpoint rule of its square over 12, so five times as
+    // many.
     check_with(1000.0, "angle of a joint", &block(spin.cross(&arm), spin, &hinge), "about.angle", (k, inertia));
 }
 
@@ -114,7 +116,8 @@ fn a_bushing_vibrates_along_and_about_its_axes() {
     }
 }
 
-/// Under a constant force the displacement is `F/k` along each axis; under a moment about an axis the turn is `M/k`, however far.
+/// Under a constant force the displacement is `F/k` along each axis; under a moment about an axis the turn is `M/k`,
+/// however far.
 #[test]
 fn a_bushing_gives_way_by_load_over_stiffness() {
     let loaded = |force: Vec3, moment: Vec3| {

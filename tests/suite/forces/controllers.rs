@@ -1,5 +1,6 @@
-//! Do efforts that follow coordinates of joints act as controllers do? Gains must be those of springs and dampers, exactly and in the tangent; couplings between joints, times and pieces
-//! must enter; what reads nothing must stay as it is.
+//! Do efforts that follow coordinates of joints act as controllers do? Gains must be those of springs and dampers,
+//! exactly and in the tangent; couplings between joints, times and pieces must enter; what reads nothing must stay as
+//! it is.
 
 use crate::curves::{Curves, load};
 use crate::running::{start, try_start, value};
@@ -91,8 +92,9 @@ coordinate = "distance"
 effort = "-400*rail.distance - 2*rail.distance_rate"
 "#;
 
-/// Gains on a joint's own coordinate are a spring and a damper: the same motion with each integrator, to the error of its steps, which take the forces of springs at other instants; the same
-/// equilibrium and natural frequencies to round-off.
+/// Gains on a joint's own coordinate are a spring and a damper: the same motion with each integrator, to the error of
+/// its steps, which take the forces of springs at other instants; the same equilibrium and natural frequencies to
+/// round-off.
 #[test]
 fn gains_are_springs_and_dampers() {
     for (steps, tolerance) in [
@@ -121,7 +123,8 @@ fn gains_are_springs_and_dampers() {
     );
 }
 
-/// Couplings to other joints, with time and pieces: the tangent is exact where Newton converges quadratically, so that stiff gains take no more iterations than springs, and no step is rejected.
+/// Couplings to other joints, with time and pieces: the tangent is exact where Newton converges quadratically, so that
+/// stiff gains take no more iterations than springs, and no step is rejected.
 #[test]
 fn couplings_are_in_the_tangent() {
     let coupled = r#"
@@ -159,7 +162,8 @@ effort = "-2000*(rail.distance - 0.2*shoulder.angle) - 30*rail.distance_rate - 1
     assert!((1.7..2.4).contains(&(coarse / fine).log2()), "{coarse} {fine}");
 }
 
-/// The work of a controller closes the account, its effort and power are what it says, and a follower of another joint keeps it in a gear's proportion at equilibrium.
+/// The work of a controller closes the account, its effort and power are what it says, and a follower of another joint
+/// keeps it in a gear's proportion at equilibrium.
 #[test]
 fn efforts_are_told_and_accounted_for() {
     let parts = "[actuator.s]\njoint = \"shoulder\"\ncoordinate = \"angle\"\neffort = \"-60*shoulder.angle - 3*shoulder.angle_rate + t\"\n\

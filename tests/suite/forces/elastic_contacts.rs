@@ -1,6 +1,7 @@
-//! Stops, ropes and bumpers take and give energy as springs do: a step takes the mean of their force over the way, which works exactly as much as their energy changes. Numerical dissipation holds energy of the
-//! rate over the last step, in proportion to the stiffness. It must not act where the stiffness depends on the elongation: a block left an elastic stop at 1.048 of the speed at which it came, and between two stops
-//! 0.5 J became 28 kJ within 20 s.
+//! Stops, ropes and bumpers take and give energy as springs do: a step takes the mean of their force over the way,
+//! which works exactly as much as their energy changes. Numerical dissipation holds energy of the rate over the last
+//! step, in proportion to the stiffness. It must not act where the stiffness depends on the elongation: a block left an
+//! elastic stop at 1.048 of the speed at which it came, and between two stops 0.5 J became 28 kJ within 20 s.
 
 use ancf14_testing::curves::Curves;
 
@@ -27,7 +28,8 @@ const LAWS: &str = "[spring.wall]\njoint = \"rail\"\ncoordinate = \"distance\"\n
 /// A spring that stiffens everywhere.
 const CUBIC: &str = "[spring.cubic]\njoint = \"rail\"\ncoordinate = \"distance\"\nforce = \"100*x + 1e5*x^3\"\n";
 
-/// The block leaves the stop as fast as it came, with steps that the solver chooses and with steps of the length of the whole contact. Round-off of 500 steps.
+/// The block leaves the stop as fast as it came, with steps that the solver chooses and with steps of the length of the
+/// whole contact. Round-off of 500 steps.
 #[test]
 fn a_block_leaves_an_elastic_stop_as_fast_as_it_came() {
     for overrides in [&[][..], &[("simulation.step", "1e-3")], &[("simulation.step", "5e-3")]] {
@@ -37,8 +39,10 @@ fn a_block_leaves_an_elastic_stop_as_fast_as_it_came() {
     }
 }
 
-/// Between two stops, between a rope and a bumper, between walls that expressions give, and on a spring that stiffens, the energy stays. Newton may leave 1e-5 of the first correction of a step, which a force of 1e3 N turns into energy: corrections of steps of the solver's own
-/// choice are 1e-6 m, which is 1e-8 J in each of some hundred contacts; those of steps of 5 ms are 5e-3 m, which is 5e-5 J in each of fifty.
+/// Between two stops, between a rope and a bumper, between walls that expressions give, and on a spring that stiffens,
+/// the energy stays. Newton may leave 1e-5 of the first correction of a step, which a force of 1e3 N turns into energy:
+/// corrections of steps of the solver's own choice are 1e-6 m, which is 1e-8 J in each of some hundred contacts; those
+/// of steps of 5 ms are 5e-3 m, which is 5e-5 J in each of fifty.
 #[test]
 fn energy_stays_between_contacts() {
     for parts in [BUFFERS, ROPES, LAWS, CUBIC] {

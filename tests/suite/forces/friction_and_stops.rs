@@ -1,5 +1,5 @@
-//! Friction and stops on the coordinates of joints against closed forms: where a block comes to rest, how it creeps, how fast it is thrown back. Energy that is counted twice, a sign,
-//! or a stop that pulls shows in full.
+//! Friction and stops on the coordinates of joints against closed forms: where a block comes to rest, how it creeps,
+//! how fast it is thrown back. Energy that is counted twice, a sign, or a stop that pulls shows in full.
 
 use crate::running::{run, start, value};
 use crate::support::machines::drift;
@@ -17,7 +17,8 @@ fn block(start: &str, rest: &str, simulation: &str) -> String {
     )
 }
 
-/// With the smoothed friction `F v/√(v² + s²)` a block slides by `(m/F) ∫ √(v² + s²) dv`, which is `m v²/(2 F)` but for the smoothing. It then stands still.
+/// With the smoothed friction `F v/√(v² + s²)` a block slides by `(m/F) ∫ √(v² + s²) dv`, which is `m v²/(2 F)` but for
+/// the smoothing. It then stands still.
 #[test]
 fn a_block_slides_as_far_as_its_energy_lasts() {
     let (mass, friction, speed) = (2.0_f64, 5.0_f64, 0.01_f64);
@@ -38,7 +39,8 @@ fn a_block_slides_as_far_as_its_energy_lasts() {
     assert!(drifted.abs() < 1e-9 && (changed + 1.0).abs() < 0.01, "{drifted:e} {changed}");
 }
 
-/// Viscous friction beside dry friction: `v = (v0 + F/c) exp(−c t/m) − F/c` while the block slides, with second order although dry friction alone would stop it within far less than a step.
+/// Viscous friction beside dry friction: `v = (v0 + F/c) exp(−c t/m) − F/c` while the block slides, with second order
+/// although dry friction alone would stop it within far less than a step.
 #[test]
 fn viscous_friction_keeps_the_order() {
     let rub = "[friction.rub]\njoint = \"rail\"\ncoordinate = \"distance\"\ncoulomb = 10\nviscous = 5";
@@ -56,7 +58,8 @@ fn viscous_friction_keeps_the_order() {
     }
 }
 
-/// Where friction sets in within far less than a step, the block comes to rest all the same: its velocity does not alternate.
+/// Where friction sets in within far less than a step, the block comes to rest all the same: its velocity does not
+/// alternate.
 #[test]
 fn sharp_friction_holds_a_block() {
     let rub = "[friction.rub]\njoint = \"rail\"\ncoordinate = \"distance\"\ncoulomb = 5\nspeed = 1e-5";
@@ -69,7 +72,8 @@ fn sharp_friction_holds_a_block() {
     assert!((value(&simulation, "way.distance") - 0.2).abs() < 3e-4, "{}", value(&simulation, "way.distance"));
 }
 
-/// Pushed by less than its friction, a block creeps at the rate at which the smoothed friction holds; the effort acts against it on b, and its power is what is taken.
+/// Pushed by less than its friction, a block creeps at the rate at which the smoothed friction holds; the effort acts
+/// against it on b, and its power is what is taken.
 #[test]
 fn a_held_block_creeps() {
     let rub = "[friction.rub]\njoint = \"rail\"\ncoordinate = \"distance\"\ncoulomb = 5\nviscous = 3\nspeed = 0.1\n\
@@ -93,7 +97,8 @@ fn a_held_block_creeps() {
     close("rubbing.power", 4.0 * rate);
 }
 
-/// The velocity after a contact of a stop whose force is `k p (1 + d w)`, thrown against it at `v`: `∫ w/(1 + d w) dw` is the same before and after, for any stiffness and mass.
+/// The velocity after a contact of a stop whose force is `k p (1 + d w)`, thrown against it at `v`: `∫ w/(1 + d w) dw`
+/// is the same before and after, for any stiffness and mass.
 fn thrown_back(v: f64, d: f64) -> f64 {
     let lost = v / d - (d * v).ln_1p() / (d * d);
     let mut back = 0.5 * v;
@@ -104,7 +109,8 @@ fn thrown_back(v: f64, d: f64) -> f64 {
     back
 }
 
-/// A stop with damping throws a block back at the speed that Hunt and Crossley's law has, in both directions, and never pulls.
+/// A stop with damping throws a block back at the speed that Hunt and Crossley's law has, in both directions, and never
+/// pulls.
 #[test]
 fn stops_throw_a_block_back() {
     let stops = "[stop.ends]\njoint = \"rail\"\ncoordinate = \"distance\"\nlower = -0.1\nupper = 0.05\nstiffness = 2e4\ndamping = 0.4\n\
@@ -163,7 +169,8 @@ fn friction_brakes_a_wheel() {
     assert_eq!(effort.quantity.unit, "N.m");
 }
 
-/// A host may move both limits of a stop, in any order; a step with limits that cross is refused, and goes on when they fit.
+/// A host may move both limits of a stop, in any order; a step with limits that cross is refused, and goes on when they
+/// fit.
 #[test]
 fn limits_may_not_cross_in_a_step() {
     let stops = "[stop.ends]\njoint = \"rail\"\ncoordinate = \"distance\"\nlower = -0.1\nupper = 0.05\nstiffness = 2e4";

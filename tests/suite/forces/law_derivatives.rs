@@ -1,5 +1,5 @@
-//! Springs with laws: tangents against differences of the forces, at rest, at an instant and over a step. A factor that belongs to the other kind of passage, or a rate whose
-//! lateness the tangent does not know, shows at 1e-2 or more.
+//! Springs with laws: tangents against differences of the forces, at rest, at an instant and over a step. A factor that
+//! belongs to the other kind of passage, or a rate whose lateness the tangent does not know, shows at 1e-2 or more.
 
 use crate::random::Random;
 use crate::support::marker_oracle::{COUNT, Machine, any_marker, deep, spread};

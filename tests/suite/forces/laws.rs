@@ -1,5 +1,6 @@
-//! Springs with laws: functions of elongation and rate, ropes and bumpers. Forces over a step must work exactly as much as the energy changes, with exact derivatives on
-//! both sides of every kink; motions must follow closed forms. A mean that is off, a slope that belongs to the other side or a damper that is counted twice shows in full.
+//! Springs with laws: functions of elongation and rate, ropes and bumpers. Forces over a step must work exactly as much
+//! as the energy changes, with exact derivatives on both sides of every kink; motions must follow closed forms. A mean
+//! that is off, a slope that belongs to the other side or a damper that is counted twice shows in full.
 
 use crate::running::{run, start, try_start, value};
 use crate::support::machines::drift;
@@ -9,7 +10,8 @@ use ancf14::solve::modes::modes;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// A smooth law with a rate, one with kinks, one with a jump at 0.5, and closed ones, each with the elongations of its kinks.
+/// A smooth law with a rate, one with kinks, one with a jump at 0.5, and closed ones, each with the elongations of its
+/// kinks.
 fn laws() -> Vec<(&'static str, Law, &'static [f64])> {
     let function = |f: fn(f64, f64) -> [f64; 3], has_rate| Law::Function { function: Arc::new(f), has_rate };
     let smooth: fn(f64, f64) -> [f64; 3] =
@@ -40,7 +42,8 @@ const WAYS: [[f64; 2]; 9] = [
     [0.3 - 1e-4, 0.3],
 ];
 
-/// Over every way the elastic force works as much as the energy changes, and the derivatives are those of differences. Of a short way the mean is the force in its middle.
+/// Over every way the elastic force works as much as the energy changes, and the derivatives are those of differences.
+/// Of a short way the mean is the force in its middle.
 #[test]
 fn steps_take_the_mean_of_a_law_with_its_derivatives() {
     for (name, law, kinks) in laws() {
@@ -111,7 +114,8 @@ fn duffing_oscillator_has_its_period() {
     }
 }
 
-/// A conservative law with kinks keeps the energy without numerical dissipation; a viscous law takes as much as is counted, on a joint and between two points that turn.
+/// A conservative law with kinks keeps the energy without numerical dissipation; a viscous law takes as much as is
+/// counted, on a joint and between two points that turn.
 #[test]
 fn energy_balance_of_laws_is_closed() {
     let law = |force: &str| format!("[spring.law]\njoint = \"rail\"\ncoordinate = \"distance\"\nforce = \"{force}\"");
@@ -158,7 +162,8 @@ fn a_law_that_jumps_keeps_the_energy() {
     assert!(reach[0] < -0.36 && reach[0] > -0.367 && reach[1] > 0.32 && reach[1] < 0.328, "{reach:?}");
 }
 
-/// A mass that falls by 0.5 m onto a rope, or a bumper, is thrown back to where it was: a free fall and half an oscillation are known.
+/// A mass that falls by 0.5 m onto a rope, or a bumper, is thrown back to where it was: a free fall and half an
+/// oscillation are known.
 #[test]
 fn ropes_and_bumpers_throw_a_mass_back() {
     let (gravity, stiffness, way) = (9.81_f64, 900.0_f64, 0.5_f64);

@@ -16,8 +16,8 @@ fn component(machine: &Machine, marker: &Marker, vector: usize, axis: usize) -> 
     num_dual::hessian(|q: All<Dual>| machine.pose(marker, q.as_slice())[vector][axis], &machine.all())
 }
 
-/// The turn by coordinate j is `dφ_j = 1/2 Σ_i a_i × ∂_j a_i` over the axes a_i; the work of a moment m along it, and the derivative of
-/// that by coordinate k, follow from the axes' gradients and Hessians.
+/// The turn by coordinate j is `dφ_j = 1/2 Σ_i a_i × ∂_j a_i` over the axes a_i; the work of a moment m along it, and
+/// the derivative of that by coordinate k, follow from the axes' gradients and Hessians.
 fn generalized_force(
     parts: &[[Component; 3]; 4],
     wrench: &dyn Fn(Option<usize>) -> (Vec3, Vec3),
@@ -35,7 +35,8 @@ fn generalized_force(
     force_k.dot(&by(0, j)) + force.dot(&twice(0, j, k)) + moment_k.dot(&turn) + moment.dot(&turn_k)
 }
 
-/// Dead and follower forces and moments, at nodes, bodies and inside elements of both formulations: generalized force and its derivative.
+/// Dead and follower forces and moments, at nodes, bodies and inside elements of both formulations: generalized force
+/// and its derivative.
 #[test]
 fn load_derivatives() {
     deep(check_load_derivatives);
@@ -112,7 +113,8 @@ fn check_load_derivatives() {
     assert_eq!(constant, 8);
 }
 
-/// A load along elements of both formulations is the sum of loads on their load points, in proportion to the lengths that they stand for.
+/// A load along elements of both formulations is the sum of loads on their load points, in proportion to the lengths
+/// that they stand for.
 #[test]
 fn loads_along_elements() {
     deep(check_loads_along_elements);

@@ -1,5 +1,5 @@
-//! Loads at any fraction of a beam and along a beam, against the closed forms of the linear cantilever: the cubic element is exact at
-//! its nodes for them, so that only the squares of the small strains are left.
+//! Loads at any fraction of a beam and along a beam, against the closed forms of the linear cantilever: the cubic
+//! element is exact at its nodes for them, so that only the squares of the small strains are left.
 
 use crate::support::machines::{clamp, design};
 use ancf14::math::Vec3;
@@ -78,8 +78,8 @@ fn closed_forms_of_the_cantilever() {
     assert!((turned / (0.5 * size / torsion) - 1.0).abs() < 1e-6);
 }
 
-/// A follower force stays across the beam: bent by 60 degrees it pushes the tip back towards the root more than a dead one does.
-/// A dead moment and a follower moment in one plane are the same.
+/// A follower force stays across the beam: bent by 60 degrees it pushes the tip back towards the root more than a dead
+/// one does. A dead moment and a follower moment in one plane are the same.
 #[test]
 fn followers_turn_with_the_section() {
     let beam = design("beam", 8);
@@ -107,8 +107,8 @@ fn suppressed_torsion_does_not_twist() {
     assert!((turned / held / 1e4 - 1.0).abs() < 1e-6);
 }
 
-/// Whatever the strain and the twist inside the elements: a strip bent in both directions does not twist, and all of them agree but for the
-/// size of the strain, 1e-3, and for the stiffness that is there instead, 1e-4 of its twist.
+/// Whatever the strain and the twist inside the elements: a strip bent in both directions does not twist, and all of
+/// them agree but for the size of the strain, 1e-3, and for the stiffness that is there instead, 1e-4 of its twist.
 #[test]
 fn suppressed_torsion_goes_with_every_strain_and_twist() {
     let strip = |torsion, strain, twist| BeamDesign {
@@ -130,8 +130,8 @@ fn suppressed_torsion_goes_with_every_strain_and_twist() {
     }
 }
 
-/// The truncated energy has no lower bound above tau_c: beyond half of it the beam is named once asked, beyond all of it the step
-/// is refused (MECHANICS 3.7). tau_c is 153 rad/m for the Princeton beam.
+/// The truncated energy has no lower bound above tau_c: beyond half of it the beam is named once asked, beyond all of
+/// it the step is refused (MECHANICS 3.7). tau_c is 153 rad/m for the Princeton beam.
 #[test]
 fn truncated_strain_has_its_limit() {
     let beam = crate::references::princeton::beam(4, Strain::LargeTruncated, Twist::Linear);

@@ -1,5 +1,6 @@
-//! Outputs with `in` are what somebody sees who moves with a part: places, velocities and accelerations along its axes, with the Coriolis and centripetal terms of
-//! its motion. What turns with the observer stands still, what is at rest goes round. A term that is missing, or axes that are taken at another instant, shows in full.
+//! Outputs with `in` are what somebody sees who moves with a part: places, velocities and accelerations along its axes,
+//! with the Coriolis and centripetal terms of its motion. What turns with the observer stands still, what is at rest
+//! goes round. A term that is missing, or axes that are taken at another instant, shows in full.
 
 use crate::random::Random;
 use crate::running::{run, start, try_start, value, vector};
@@ -10,8 +11,8 @@ use ancf14::mechanics::marker::observer::Observer;
 use ancf14::mechanics::marker::sensor::Sensor;
 use nalgebra::{Rotation3, SVector};
 
-/// Every kind of marker seen from every kind, with arms, in a random motion: the first and second derivative of the place along the observer's axes against
-/// automatic differentiation.
+/// Every kind of marker seen from every kind, with arms, in a random motion: the first and second derivative of the
+/// place along the observer's axes against automatic differentiation.
 #[test]
 fn velocities_and_accelerations_are_derivatives_of_the_place() {
     deep(check_derivatives);
@@ -82,8 +83,8 @@ step = 1e-3
 output_step = 0.01
 "#;
 
-/// A body that no force acts on moves straight, to round-off; from a turntable it is seen with centrifugal and Coriolis accelerations. A point of the body is
-/// at rest as seen from the body.
+/// A body that no force acts on moves straight, to round-off; from a turntable it is seen with centrifugal and Coriolis
+/// accelerations. A point of the body is at rest as seen from the body.
 #[test]
 fn a_straight_path_is_bent_on_a_turntable() {
     let mut simulation = start(FREE);
@@ -121,8 +122,8 @@ fn a_straight_path_is_bent_on_a_turntable() {
     });
 }
 
-/// The reaction of a pendulum in the axes of its bob is the reaction in global axes, turned back by the orientation of the bob; what a moving frame must supply
-/// likewise.
+/// The reaction of a pendulum in the axes of its bob is the reaction in global axes, turned back by the orientation of
+/// the bob; what a moving frame must supply likewise.
 #[test]
 fn reactions_are_turned_into_the_axes() {
     let text = "format = 1\n[model]\nname = \"Pendulum\"\ngravity = [0, 0, -9.81]\n\

@@ -1,6 +1,6 @@
-//! Points hold on to places off the centers of mass and off the axes of beams. A force at a point has its moment, a point moves with the kinematics of a rigid
-//! arm, a joint or a spring at a point is the one at the same place written otherwise. A lost arm, an arm in wrong axes, or a centripetal term that is
-//! missing shows in full.
+//! Points hold on to places off the centers of mass and off the axes of beams. A force at a point has its moment, a
+//! point moves with the kinematics of a rigid arm, a joint or a spring at a point is the one at the same place written
+//! otherwise. A lost arm, an arm in wrong axes, or a centripetal term that is missing shows in full.
 
 use crate::random::Random;
 use crate::running::{run, start, value, vector};
@@ -35,7 +35,8 @@ stop = 1
 step = 1e-3
 "#;
 
-/// A point of a body that turns evenly goes round in a circle: closed forms of all its quantities. The body's z axis is the global y axis.
+/// A point of a body that turns evenly goes round in a circle: closed forms of all its quantities. The body's z axis is
+/// the global y axis.
 #[test]
 fn a_point_of_a_spinning_body_goes_round() {
     let mut simulation = start(SPINNING);
@@ -72,7 +73,8 @@ fn a_point_of_a_spinning_body_goes_round() {
     check(&simulation, 1.0, bound);
 }
 
-/// The acceleration of every kind of marker, with arms on nodes, sections, bodies and moving frames, against automatic differentiation.
+/// The acceleration of every kind of marker, with arms on nodes, sections, bodies and moving frames, against automatic
+/// differentiation.
 #[test]
 fn accelerations_of_points() {
     deep(check_accelerations);
@@ -121,7 +123,8 @@ fn bent(load: &str) -> Vec3 {
     vector(&simulation, "tip.displacement") + vector(&simulation, "tip.rotation")
 }
 
-/// A force at a point is the force at what the point is on, with the moment of its arm: for follower loads in the same axes, at nodes and inside elements.
+/// A force at a point is the force at what the point is on, with the moment of its arm: for follower loads in the same
+/// axes, at nodes and inside elements.
 #[test]
 fn a_force_at_a_point_has_its_moment() {
     let (arm, force) = (Vec3::new(0.02, 0.1, -0.05), Vec3::new(1.0, 0.4, 0.3));
@@ -164,7 +167,8 @@ fn hanging(what: &str) -> String {
 
 const RESULTS: [&str; 2] = ["at_bob.position", "at_bob.rotation"];
 
-/// The same mechanism written with `at`, with a frame that does not move, and with points gives the same bits: the numbers are sums of powers of 2.
+/// The same mechanism written with `at`, with a frame that does not move, and with points gives the same bits: the
+/// numbers are sums of powers of 2.
 #[test]
 fn points_replace_places_of_joints_and_fixed_frames() {
     let joint = "[joint.pin]\ntype = \"spherical\"\n";
@@ -191,7 +195,8 @@ fn points_replace_places_of_joints_and_fixed_frames() {
     assert_ne!(far, frame);
 }
 
-/// Two bodies that turn far on a spring between points off their centers of mass: the largest change of the momenta, and of the energy, J.
+/// Two bodies that turn far on a spring between points off their centers of mass: the largest change of the momenta,
+/// and of the energy, J.
 fn changes_of_a_pair(step: f64) -> [f64; 2] {
     let text = format!(
         "format = 1\n[model]\nname = \"Pair\"\n\
@@ -219,8 +224,9 @@ fn changes_of_a_pair(step: f64) -> [f64; 2] {
     changes
 }
 
-/// Momenta stay to round-off: both ends of the spring act along one line. The energy at the ends of steps swings by what the projection of velocities leaves, which
-/// falls fast with the step; a force that were no gradient would make it drift, and with twice the step by a factor of 4.
+/// Momenta stay to round-off: both ends of the spring act along one line. The energy at the ends of steps swings by
+/// what the projection of velocities leaves, which falls fast with the step; a force that were no gradient would make
+/// it drift, and with twice the step by a factor of 4.
 #[test]
 fn springs_between_points_keep_energy_and_momenta() {
     let [coarse, fine] = [4e-3, 2e-3].map(changes_of_a_pair);
@@ -229,8 +235,8 @@ fn springs_between_points_keep_energy_and_momenta() {
     assert!(coarse[1] < 1e-5 && fine[1] < coarse[1] / 8.0, "{coarse:?} {fine:?}");
 }
 
-/// The example of the page on the model file runs as it says: the energy of the swinging plate is what gravity, the wind and the dampers make of it, and the
-/// corner is half an edge away from the center in both directions.
+/// The example of the page on the model file runs as it says: the energy of the swinging plate is what gravity, the
+/// wind and the dampers make of it, and the corner is half an edge away from the center in both directions.
 #[test]
 fn the_example_of_the_page_runs() {
     let page = include_str!("../../../docs/model-file.md");
@@ -261,7 +267,8 @@ fn numbers_of_points_are_parameters() {
     }
 }
 
-/// A run with other meshes holds on to the same material place: the node of the carrier changes its number, and what refers to the point does not change.
+/// A run with other meshes holds on to the same material place: the node of the carrier changes its number, and what
+/// refers to the point does not change.
 #[test]
 fn other_meshes_keep_the_places_of_points() {
     let text = cantilever(

@@ -1,4 +1,5 @@
-//! Springs, dampers and actuators: forces and their derivatives against automatic differentiation of energy and measure, on every kind of measure.
+//! Springs, dampers and actuators: forces and their derivatives against automatic differentiation of energy and
+//! measure, on every kind of measure.
 
 use crate::random::Random;
 use crate::support::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marker, deep, measure, spread};
@@ -13,7 +14,8 @@ use ancf14::mechanics::marker::relative_coordinate::Measure;
 use ancf14::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use nalgebra::SVector;
 
-/// Springs and dampers on every measure: at rest the gradient and Hessian of the energy; at an instant and over a step the damper's too.
+/// Springs and dampers on every measure: at rest the gradient and Hessian of the energy; at an instant and over a step
+/// the damper's too.
 #[test]
 fn spring_derivatives() {
     deep(check_spring_derivatives);
@@ -108,7 +110,8 @@ fn check_spring_derivatives() {
             let by_v = spread(&machine, [&a, &b], &spring.damping_matrix(&coordinate, &c, velocity));
             assert!((by_v - by_q * by_q.transpose() * 0.3).amax() < ROUNDING * size);
 
-            // Over a step: rates are differences of the relative coordinates at its ends. Here the machine in the middle is the one at the start.
+            // Over a step: rates are differences of the relative coordinates at its ends. Here the machine in the
+            // middle is the one at the start.
             let other = Machine { q: machine.q + machine.velocity * 0.05, ..Machine::new(&mut random) };
             let other = Machine {
                 triads: machine.triads,
@@ -138,7 +141,8 @@ fn check_spring_derivatives() {
                 measure(kind, &machine.pose(&a, machine.all().as_slice()), &machine.pose(&b, machine.all().as_slice()));
             // Angles of both ends are read near the last accepted one, 0.
             let rate = (end_value - here) / 0.1;
-            // The elastic force is that of the mean coordinate; a distance pulls along the mean direction, which is shorter than 1.
+            // The elastic force is that of the mean coordinate; a distance pulls along the mean direction, which is
+            // shorter than 1.
             let mean = 0.5 * (end_value + here);
             let shortening = if coordinate.measure == Measure::Length { here / mean } else { 1.0 };
             let tension = (spring.stiffness * (mean - spring.rest) + 0.3 * rate) * shortening;

@@ -1,4 +1,5 @@
-//! A unit that is only a spring and a damper between the ground and a frame that a host moves, as the force side of a co-simulation. It has no coordinate to solve for; forces, their account and saved states must be right all the same.
+//! A unit that is only a spring and a damper between the ground and a frame that a host moves, as the force side of a
+//! co-simulation. It has no coordinate to solve for; forces, their account and saved states must be right all the same.
 
 use crate::curves::Curves;
 use crate::running::try_start;

@@ -1,5 +1,6 @@
-//! Are the functions `ancf14_...` safe in the hands of a C programmer? A program makes every mistake, under valgrind too: wrong memory
-//! would be touched, or lost, where a check is missing. And simulations in several threads do not meet.
+//! Are the functions `ancf14_...` safe in the hands of a C programmer? A program makes every mistake, under valgrind
+//! too: wrong memory would be touched, or lost, where a check is missing. And simulations in several threads do not
+//! meet.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::ffi::CString;

@@ -1,5 +1,5 @@
-//! Does `ancf14::Simulation` say what is wrong with a call, and what is odd about a model? That it computes what `ancf14 run` computes is tested
-//! with the command line.
+//! Does `ancf14::Simulation` say what is wrong with a call, and what is odd about a model? That it computes what
+//! `ancf14 run` computes is tested with the command line.
 
 use ancf14::{Error, Kind, Simulation};
 
@@ -50,7 +50,8 @@ fn runs_repeat() {
     assert_eq!(go_on(&mut simulation), first);
 }
 
-/// The bytes of a saved state go on with the same bits in another simulation of the model; damaged bytes, and those of another model, are refused.
+/// The bytes of a saved state go on with the same bits in another simulation of the model; damaged bytes, and those of
+/// another model, are refused.
 #[test]
 fn states_are_bytes() {
     let mut simulation = arm();

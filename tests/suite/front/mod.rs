@@ -1,4 +1,5 @@
-//! The front doors for programs: `ancf14::Simulation`, the functions `ancf14_...` of C, and the listings of the page on them.
+//! The front doors for programs: `ancf14::Simulation`, the functions `ancf14_...` of C, and the listings of the page on
+//! them.
 
 mod c_functions;
 mod door;

@@ -1,6 +1,8 @@
-//! Is every program of docs/programming.md and README.md the file that the tests run? A program that was only printed would rot.
+//! Is every program of docs/programming.md and README.md the file that the tests run? A program that was only printed
+//! would rot.
 //!
-//! The line before each listing names its file: `ANCF14_BLESS=1 cargo test front::page` writes the listings from the files.
+//! The line before each listing names its file: `ANCF14_BLESS=1 cargo test front::page` writes the listings from the
+//! files.
 
 use std::fs;
 

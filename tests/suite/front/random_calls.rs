@@ -1,5 +1,6 @@
-//! Do random calls, right and wrong ones in any order, leave a simulation whole? Never a fault, never a value that a refused call has
-//! changed, never a result that is no number, and in the end the bits of a simulation that nobody has disturbed.
+//! Do random calls, right and wrong ones in any order, leave a simulation whole? Never a fault, never a value that a
+//! refused call has changed, never a result that is no number, and in the end the bits of a simulation that nobody has
+//! disturbed.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::ffi::{CStr, CString};

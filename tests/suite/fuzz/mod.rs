@@ -1,6 +1,7 @@
-//! Random inputs of two kinds, model files and sequences of calls: whatever they are, the library must answer with results or with
-//! sentences. A test tries a few seeds in every run of the suite. `ANCF14_FUZZ_SECONDS=600 cargo test --release --test suite fuzz`
-//! tries as many as fit into that time for each kind; `ANCF14_FUZZ_SEED=N` begins with seed N. docs/fuzzing.md tells more.
+//! Random inputs of two kinds, model files and sequences of calls: whatever they are, the library must answer with
+//! results or with sentences. A test tries a few seeds in every run of the suite.
+//! `ANCF14_FUZZ_SECONDS=600 cargo test --release --test suite fuzz` tries as many as fit into that time for each kind;
+//! `ANCF14_FUZZ_SEED=N` begins with seed N. docs/fuzzing.md tells more.
 
 mod models;
 mod mutations;
@@ -20,8 +21,8 @@ struct Tally {
     slowest: (Duration, u64),
 }
 
-/// Tries inputs by their seeds, `count` of them or as many as the time in `ANCF14_FUZZ_SECONDS` allows, and fails if any of them did.
-/// Returns the number of inputs.
+/// Tries inputs by their seeds, `count` of them or as many as the time in `ANCF14_FUZZ_SECONDS` allows, and fails if
+/// any of them did. Returns the number of inputs.
 pub fn round(name: &str, count: u64, mut attempt: impl FnMut(u64) -> Result<(), String>) -> u64 {
     let limit = variable("ANCF14_FUZZ_SECONDS").map(Duration::from_secs);
     let first = variable("ANCF14_FUZZ_SEED").unwrap_or(1);

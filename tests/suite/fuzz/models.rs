@@ -1,6 +1,7 @@
-//! Model files with random changes: is every one of them either refused in words, or a machine that can be used? A file that is taken is
-//! described, started, stepped, saved and read again, differentiated, and asked for its modes. Nothing may panic, every number that is
-//! handed out is finite, a failed step leaves the machine as it was, and the same file gives the same answers twice.
+//! Model files with random changes: is every one of them either refused in words, or a machine that can be used? A file
+//! that is taken is described, started, stepped, saved and read again, differentiated, and asked for its modes. Nothing
+//! may panic, every number that is handed out is finite, a failed step leaves the machine as it was, and the same file
+//! gives the same answers twice.
 
 use super::mutations::{mutated, shrunk};
 use super::requirements::{is_readable, is_sentence, same, values};

@@ -57,7 +57,8 @@ const EXPRESSIONS: [&str; 19] = [
     "[{ until = 0.002, is = 0 }, { until = 0.001, is = 1 }, { is = \"t\" }]",
 ];
 
-/// What text may hold besides ASCII: controls, marks, other digits and minus signs, what turns the direction of writing.
+/// What text may hold besides ASCII: controls, marks, other digits and minus signs, what turns the direction of
+/// writing.
 const CHARACTERS: [&str; 16] = [
     "\0",
     "\u{1b}[31m",

@@ -1,5 +1,5 @@
-//! Gears with a law: the coordinate of one joint is a function of that of another one, against closed forms. A slope that is missing in a force, or a bend that is missing in an
-//! acceleration, shows in full.
+//! Gears with a law: the coordinate of one joint is a function of that of another one, against closed forms. A slope
+//! that is missing in a force, or a bend that is missing in an acceleration, shows in full.
 
 use crate::running::{run, start, try_start, value};
 use ancf14::fmi::Model;
@@ -21,7 +21,8 @@ fn mechanism(law: &str, rest: &str, simulation: &str) -> String {
 
 const ECCENTRIC: &str = "\"ecc*(1 - cos(x))\"";
 
-/// A motor turns the cam at 30 rad/s: the follower has the acceleration `e ω² cos x`, and the cam pushes with its mass times that, over many turns.
+/// A motor turns the cam at 30 rad/s: the follower has the acceleration `e ω² cos x`, and the cam pushes with its mass
+/// times that, over many turns.
 #[test]
 fn a_driven_cam_moves_its_follower() {
     let motor = "[drive.motor]\njoint = \"axle\"\ncoordinate = \"angle\"\nvalue = \"30*t\"";
@@ -62,7 +63,8 @@ fn a_cam_carries_a_spring() {
     });
 }
 
-/// A flywheel that nothing drives moves its follower back and forth: `(J + m f'(x)²) x'² = (J + m f'(0)²) x'(0)²`, with second order.
+/// A flywheel that nothing drives moves its follower back and forth: `(J + m f'(x)²) x'² = (J + m f'(0)²) x'(0)²`, with
+/// second order.
 #[test]
 fn a_free_cam_keeps_its_energy() {
     let errors = [4e-3, 2e-3, 1e-3].map(|step| {
@@ -87,7 +89,8 @@ fn a_free_cam_keeps_its_energy() {
     }
 }
 
-/// At rest a spring on the follower turns the cam against a spring on its axle: `k f(x) f'(x) = -c (x - x0)`. Its vibrations have the stiffness that includes the bend of the law.
+/// At rest a spring on the follower turns the cam against a spring on its axle: `k f(x) f'(x) = -c (x - x0)`. Its
+/// vibrations have the stiffness that includes the bend of the law.
 #[test]
 fn equilibria_and_modes_know_the_law() {
     let springs = "[spring.valve]\njoint = \"rail\"\ncoordinate = \"distance\"\nforce = \"5000*x + 40\"\n\
@@ -110,7 +113,8 @@ fn equilibria_and_modes_know_the_law() {
     assert!((found / (stiffness / inertia) - 1.0).abs() < 1e-7, "{found} {}", stiffness / inertia);
 }
 
-/// A law that is not 0 as drawn is refused with its value; tables and several turns are laws too; the parameters in a law are those of the FMU.
+/// A law that is not 0 as drawn is refused with its value; tables and several turns are laws too; the parameters in a
+/// law are those of the FMU.
 #[test]
 fn laws_agree_with_the_drawing() {
     let failure = try_start(&mechanism("\"ecc*cos(x)\"", "", "stop = 1\nstep = 0.01")).unwrap_err();

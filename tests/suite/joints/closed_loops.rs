@@ -1,7 +1,8 @@
-//! Closed loops: a planar four-bar of rigid bodies with four revolute joints holds its plane three times over, and must be refused
-//! with a joint's name, in dynamics and in statics; with a spherical and a cylindrical joint in the place of two revolutes it is
-//! held exactly once, closes to round-off, moves as plane geometry says and keeps its energy; of flexible beams it runs with
-//! revolutes. A mechanism that can still move has no equilibrium that is the only one: its motion is named.
+//! Closed loops: a planar four-bar of rigid bodies with four revolute joints holds its plane three times over, and must
+//! be refused with a joint's name, in dynamics and in statics; with a spherical and a cylindrical joint in the place of
+//! two revolutes it is held exactly once, closes to round-off, moves as plane geometry says and keeps its energy; of
+//! flexible beams it runs with revolutes. A mechanism that can still move has no equilibrium that is the only one: its
+//! motion is named.
 
 use crate::running::{run, start, try_start, value, vector};
 use crate::support::parts::gap;
@@ -168,7 +169,8 @@ fn a_flexible_four_bar_runs_with_revolutes() {
     assert!(worst < 1e-12 && band < 1e-3, "{worst:e} {band:e}");
 }
 
-/// A free motion has no equilibrium of its own. Where a load acts along it, the error says what moves, and how; without, the solver holds it and says so.
+/// A free motion has no equilibrium of its own. Where a load acts along it, the error says what moves, and how;
+/// without, the solver holds it and says so.
 #[test]
 fn free_motions_are_named() {
     let told = |text: &str| {

@@ -1,7 +1,7 @@
-//! A drive must put its coordinate where its function says, to round-off and for good: over many turns, in steps that have to be
-//! halved, from a rate that is integrated, two on one joint, and from a start that is not as drawn. Its effort must be the power that
-//! goes into the machine. A drive that integrates its condition drifts; one that forgets turns is off by 2 pi; a false moment or arm
-//! shows in the power.
+//! A drive must put its coordinate where its function says, to round-off and for good: over many turns, in steps that
+//! have to be halved, from a rate that is integrated, two on one joint, and from a start that is not as drawn. Its
+//! effort must be the power that goes into the machine. A drive that integrates its condition drifts; one that forgets
+//! turns is off by 2 pi; a false moment or arm shows in the power.
 
 use crate::running::{run, start, try_start, value, vector};
 use crate::support::parts::gap;
@@ -53,7 +53,8 @@ fn skewness(simulation: &Simulation) -> f64 {
     worst
 }
 
-/// 25 turns at 60 rad/s: in small steps; in steps of 1.2 rad, which are halved twice; in steps of a whole turn, which look like none.
+/// 25 turns at 60 rad/s: in small steps; in steps of 1.2 rad, which are halved twice; in steps of a whole turn, which
+/// look like none.
 #[test]
 fn many_turns_leave_no_drift() {
     for (step, every) in [("1e-3", 0.02), ("0.02", 0.02), ("\"2*pi/60\"", 2.0 * std::f64::consts::PI / 60.0)] {
@@ -151,9 +152,9 @@ fn rates_end_where_their_integral_says() {
     }
 }
 
-/// A rate that jumps throws the wheel in one step; from then on it turns freely about its center, and the multiplier of the drive is
-/// what that needs: nothing. Momentum that the conditions do not allow, left in after the jump, would come back with the other sign in
-/// every step: 3.5 kN m for ever.
+/// A rate that jumps throws the wheel in one step; from then on it turns freely about its center, and the multiplier of
+/// the drive is what that needs: nothing. Momentum that the conditions do not allow, left in after the jump, would come
+/// back with the other sign in every step: 3.5 kN m for ever.
 #[test]
 fn a_jump_of_a_rate_leaves_no_ringing() {
     let rate = "rate = [{ until = 0.3, is = \"0\" }, { is = \"3\" }]";
@@ -193,8 +194,8 @@ const TWO: &str = "[drive.motor]\njoint = \"axle\"\ncoordinate = \"angle\"\nvalu
                    [output.torque]\nat = \"motor\"\nquantities = [\"angle\", \"effort\"]\n\
                    [output.thrust]\nat = \"ram\"\nquantities = [\"distance\", \"effort\"]\n";
 
-/// Two drives on a cylindrical joint: the motion is the screw that both describe; effort times rate is the change of the energy per
-/// time, at every instant to round-off, and summed over the run by the trapezium rule with order 2.
+/// Two drives on a cylindrical joint: the motion is the screw that both describe; effort times rate is the change of
+/// the energy per time, at every instant to round-off, and summed over the run by the trapezium rule with order 2.
 #[test]
 fn efforts_are_the_power_that_goes_in() {
     let gravity = [1.0, -2.0, -9.0];
@@ -231,8 +232,8 @@ fn efforts_are_the_power_that_goes_in() {
     assert!(misses[1] < 0.02 && (order - 2.0).abs() < 0.2, "{misses:?}");
 }
 
-/// Drawn at 0, a drive that begins elsewhere is an error with its value; `initial = "equilibrium"` assembles the machine there,
-/// more than a turn away too, and starts it with the drive's rate.
+/// Drawn at 0, a drive that begins elsewhere is an error with its value; `initial = "equilibrium"` assembles the
+/// machine there, more than a turn away too, and starts it with the drive's rate.
 #[test]
 fn a_drive_that_does_not_begin_as_drawn() {
     for angle in [0.3, -1.7, 7.0] {
@@ -259,8 +260,8 @@ fn a_drive_that_does_not_begin_as_drawn() {
     }
 }
 
-/// A beam of 8 m spun up by a drive to 4 rad/s in 15 s, in steps of omega h = 0.02: it is stretched by `rho w^2 L^3 / 3 E` and no
-/// more. The plain midpoint rule adds 4e-4 m, four times as much, or fails.
+/// A beam of 8 m spun up by a drive to 4 rad/s in 15 s, in steps of omega h = 0.02: it is stretched by
+/// `rho w^2 L^3 / 3 E` and no more. The plain midpoint rule adds 4e-4 m, four times as much, or fails.
 #[test]
 fn a_beam_spun_up_shows_no_false_extension() {
     let text = "format = 1\n[model]\nname = \"SpinUp\"\n\

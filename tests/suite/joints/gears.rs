@@ -1,5 +1,6 @@
-//! Gears and racks: proportional coordinates of two joints, whatever number of turns they make, against closed forms. A ratio that is upside down, a condition whose second side
-//! overwrites the first, or a reaction without the gear's part shows in full.
+//! Gears and racks: proportional coordinates of two joints, whatever number of turns they make, against closed forms. A
+//! ratio that is upside down, a condition whose second side overwrites the first, or a reaction without the gear's part
+//! shows in full.
 
 use crate::running::{run, start, try_start, value, vector};
 use crate::support::machines::drift;
@@ -23,7 +24,8 @@ fn wheels(ratio: f64, rest: &str, simulation: &str) -> String {
     )
 }
 
-/// A motor on the small wheel turns both: `(J_1 + J_2/r²) x_1'' = T` over many turns, with the torque of the gear on both, and its power.
+/// A motor on the small wheel turns both: `(J_1 + J_2/r²) x_1'' = T` over many turns, with the torque of the gear on
+/// both, and its power.
 #[test]
 fn a_motor_turns_both_wheels() {
     let motor = "[actuator.motor]\njoint = \"small_axle\"\ncoordinate = \"angle\"\neffort = 0.6";
@@ -91,8 +93,8 @@ fn a_rack_turns_its_pinion() {
     assert_eq!([unit("teeth.ratio"), unit("mesh.effort")], ["rad/m", "N.m"]);
 }
 
-/// Two pendulums of which one turns twice as far as the other: the motion of one pendulum of the sum of both, `J x'' = -m g l (sin x + 1/2 sin(x/2))`, with second order; and no energy
-/// is lost or gained.
+/// Two pendulums of which one turns twice as far as the other: the motion of one pendulum of the sum of both,
+/// `J x'' = -m g l (sin x + 1/2 sin(x/2))`, with second order; and no energy is lost or gained.
 #[test]
 fn geared_pendulums_keep_the_order_and_the_energy() {
     let text = |step: f64| {
@@ -141,7 +143,8 @@ fn geared_pendulums_keep_the_order_and_the_energy() {
     assert!(coarse.abs() < 1e-3 * changed.abs() && fine.abs() < 0.3 * coarse.abs(), "{coarse:e} {fine:e} {changed}");
 }
 
-/// A free satellite that turns its two panels by a geared motor: nothing moves its momenta. Both panels turn alike against the hub.
+/// A free satellite that turns its two panels by a geared motor: nothing moves its momenta. Both panels turn alike
+/// against the hub.
 #[test]
 fn inner_gears_keep_momenta() {
     let panel = |name: &str, y: f64| {
@@ -175,7 +178,8 @@ fn inner_gears_keep_momenta() {
     assert!(turned > 1.0, "{turned}");
 }
 
-/// An inverted pendulum is held by the torsion spring of a wheel through a gear: it is stable while `4 k` is more than `(m g + P) l`, and told where it is not.
+/// An inverted pendulum is held by the torsion spring of a wheel through a gear: it is stable while `4 k` is more than
+/// `(m g + P) l`, and told where it is not.
 #[test]
 fn stability_sees_through_gears() {
     let text = |stiffness: f64| {
@@ -206,7 +210,8 @@ fn stability_sees_through_gears() {
     assert!((eigenvalue - expected).abs() < 1e-9 * expected, "{eigenvalue} {expected}");
 }
 
-/// A gear between joints to a frame that turns: the frame's work is that of the joints and of the gear, so that the account of energy closes.
+/// A gear between joints to a frame that turns: the frame's work is that of the joints and of the gear, so that the
+/// account of energy closes.
 #[test]
 fn gears_on_moving_frames_are_accounted_for() {
     let text = "format = 1\n[model]\nname = \"Carousel\"\n\

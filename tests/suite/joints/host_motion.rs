@@ -160,7 +160,8 @@ fn motion_that_ends() {
     assert!(force.abs() < 1e-9, "{force}");
 }
 
-/// A stiff rod of 20 kg (its first axial vibration takes 1.6 ms, a third of an internal step); where its grip is, by an expression or by a host.
+/// A stiff rod of 20 kg (its first axial vibration takes 1.6 ms, a third of an internal step); where its grip is, by an
+/// expression or by a host.
 fn rod(damping: f64, grip: &str) -> String {
     format!(
         "format = 1\n[model]\nname = \"Rod\"\n[material.steel]\nyoung = 2e11\npoisson = 0.3\ndensity = 7850\ndamping = {damping:?}\n\
@@ -172,8 +173,8 @@ fn rod(damping: f64, grip: &str) -> String {
     )
 }
 
-/// Pulled along `t²/2` it feels no communication points, whatever the number of internal steps between them. Forces of a rod without damping
-/// swing for ever about mass times 1 m/s²; with damping they are that.
+/// Pulled along `t²/2` it feels no communication points, whatever the number of internal steps between them. Forces of
+/// a rod without damping swing for ever about mass times 1 m/s²; with damping they are that.
 #[test]
 fn stiff_rods_do_not_ring() {
     let watched = ["grasp.reaction_force[1]", "foot.section_force"];
@@ -187,8 +188,9 @@ fn stiff_rods_do_not_ring() {
             let hosted = moved_to(&ends, &hosted, integrator, &["hand.position[1]"], |t| vec![0.5 * t * t]);
             for name in watched {
                 let [own, hosted] = [&own, &hosted].map(|simulation| value(simulation, name));
-                // Round-off of places, 1e-17 m where it begins to move, over the compliance of an element, 2e-9 m/N, in each of 120 steps;
-                // `generalized_alpha` begins with the acceleration of the start, which a host does not say: what its numerical damping leaves.
+                // Round-off of places, 1e-17 m where it begins to move, over the compliance of an element, 2e-9 m/N, in
+                // each of 120 steps; `generalized_alpha` begins with the acceleration of the start, which a host does
+                // not say: what its numerical damping leaves.
                 let tolerance = if integrator == "generalized_alpha" { 1e-3 } else { 1e-5 };
                 assert!(
                     (own - hosted).abs() < tolerance,
@@ -227,8 +229,8 @@ fn cranes_feel_no_communication_points() {
                 }
             }
             println!("{integrator}, {parts} internal steps: differences {worst:?} of {peak:?}");
-            // The acceleration is known a communication step late: 20 ms at most times the jerk, 0.5 (pi/2)³ m/s³, of 570 kg; twice that, for
-            // the vibration that it starts.
+            // The acceleration is known a communication step late: 20 ms at most times the jerk, 0.5 (pi/2)³ m/s³, of
+            // 570 kg; twice that, for the vibration that it starts.
             let late = 2.0 * 570.0 * 0.5 * (0.5 * std::f64::consts::PI).powi(3) * 0.02;
             assert!(worst[0] < late && worst[1] < late, "{integrator}, {parts}: {worst:?}");
             // Between the points the path is off by some H³/20 of the jerk, 1e-6 m, of the 0.1 m that the boom bends.

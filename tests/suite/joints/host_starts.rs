@@ -1,5 +1,6 @@
-//! A host that gives a frame another first pose than the file draws moves the frame there: joints tie the frame where it is drawn. A code that draws the frame at
-//! the host's first value swallows the difference as a rigid arm, and the mechanism stays where it was.
+//! A host that gives a frame another first pose than the file draws moves the frame there: joints tie the frame where
+//! it is drawn. A code that draws the frame at the host's first value swallows the difference as a rigid arm, and the
+//! mechanism stays where it was.
 
 use crate::running::value;
 use ancf14::fmi::{Model, Value};
@@ -63,8 +64,8 @@ fn begun(text: &str, time: f64, inputs: &[(&str, f64)]) -> Result<Simulation, St
     simulation.initialize(time).map(|()| simulation).map_err(|failure| failure.message)
 }
 
-/// Equilibria and static analyses begin with the end of the rod in the hand, at the bit where the host has it: lifted, and turned by a rotation vector or by a
-/// quaternion.
+/// Equilibria and static analyses begin with the end of the rod in the hand, at the bit where the host has it: lifted,
+/// and turned by a rotation vector or by a quaternion.
 #[test]
 fn equilibria_begin_where_the_host_has_the_frame() {
     let turn = 0.2_f64;
@@ -86,7 +87,8 @@ fn equilibria_begin_where_the_host_has_the_frame() {
     }
 }
 
-/// A motion that begins as drawn cannot begin elsewhere: the message has the frame, the joint, how far it is, and the way out.
+/// A motion that begins as drawn cannot begin elsewhere: the message has the frame, the joint, how far it is, and the
+/// way out.
 #[test]
 fn motions_begin_where_the_file_draws_the_frame() {
     let lifted = begun(&held(BALL, ""), 0.0, &[("hand.position[3]", 0.1)]).unwrap_err();
@@ -98,7 +100,8 @@ fn motions_begin_where_the_file_draws_the_frame() {
     }
 }
 
-/// Motions begin at once where a joint leaves the difference free: a ball does not see the turn of the hand, and a hinge has it as its angle.
+/// Motions begin at once where a joint leaves the difference free: a ball does not see the turn of the hand, and a
+/// hinge has it as its angle.
 #[test]
 fn joints_leave_some_starts_free() {
     assert!(begun(&held(BALL, ""), 0.0, &[("hand.rotation[2]", 0.2)]).is_ok());
@@ -109,8 +112,8 @@ fn joints_leave_some_starts_free() {
     assert!((value(&turned, "grip.angle") + 0.2).abs() < 1e-14);
 }
 
-/// A bushing between the rod and a hand that begins 0.1 m higher has the force of this displacement from the start, 200 N/m 0.1 m, and a spring that is free as
-/// drawn has it too.
+/// A bushing between the rod and a hand that begins 0.1 m higher has the force of this displacement from the start, 200
+/// N/m 0.1 m, and a spring that is free as drawn has it too.
 #[test]
 fn bushings_and_springs_begin_displaced() {
     let bushing = held("type = \"bushing\"\nstiffness = [200, 200, 200]", "")
@@ -127,7 +130,8 @@ fn bushings_and_springs_begin_displaced() {
     assert!((value(&lifted, "grasp.force") - 20.0).abs() < 1e-12);
 }
 
-/// Joints tie a frame that a function moves where it is at t = 0, also in a run that begins later: at 2 s the hand of `0.05 t` is 0.1 m higher.
+/// Joints tie a frame that a function moves where it is at t = 0, also in a run that begins later: at 2 s the hand of
+/// `0.05 t` is 0.1 m higher.
 #[test]
 fn later_starts_have_the_same_joints() {
     let moving = |simulation| {

@@ -1,5 +1,5 @@
-//! Joints, rigid bodies and drives: conditions with their derivatives by coordinates and time against automatic differentiation of the
-//! definitions, at random pose, offset and axes, between everything that can be joined.
+//! Joints, rigid bodies and drives: conditions with their derivatives by coordinates and time against automatic
+//! differentiation of the definitions, at random pose, offset and axes, between everything that can be joined.
 
 use crate::random::Random;
 use crate::support::marker_oracle::{All, COUNT, Dual, Machine, ROUNDING, SIDES, any_marker, deep, measure, spread};

@@ -1,7 +1,7 @@
-//! A joint leaves free the motions that its name promises, no more and no less: of the velocities of its two sides, those that all
-//! conditions allow are the common rigid motions and the analytical relative ones, here by the rank of the Jacobian (rigidity of
-//! bodies included) and by the motions themselves. As drawn and after the parts have moved. A condition too many or too few shows in
-//! the rank, a wrong axis in a free motion that is not.
+//! A joint leaves free the motions that its name promises, no more and no less: of the velocities of its two sides,
+//! those that all conditions allow are the common rigid motions and the analytical relative ones, here by the rank of
+//! the Jacobian (rigidity of bodies included) and by the motions themselves. As drawn and after the parts have moved. A
+//! condition too many or too few shows in the rank, a wrong axis in a free motion that is not.
 
 use crate::random::Random;
 use crate::support::machines::integrate;
@@ -157,7 +157,8 @@ fn allowed_velocities_are_kept_at_the_start() {
             let mut midpoint = Midpoint::new(&system, 1.0, 1.0, 1e-8);
             let lost = start::set_motion(&system, &mut midpoint, &mut state).unwrap();
             let change = state.velocity.iter().zip(&given).fold(0.0_f64, |sum, (a, b)| sum.max((a - b).abs()));
-            // Velocities of some m/s; round-off through a matrix of condition 1e4: the inertia of slopes against that of bodies.
+            // Velocities of some m/s; round-off through a matrix of condition 1e4: the inertia of slopes against that
+            // of bodies.
             assert!(lost == 0.0 && change < 1e-11, "{parts:?} {}: {change:e}", kind.name);
         }
     }

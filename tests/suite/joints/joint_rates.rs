@@ -2,8 +2,9 @@
 
 use crate::running::{run, start, value};
 
-/// A screw that is driven along and about the axis of a joint whose side a tumbles: the rates are those of the drives to round-off, for the velocities of a step are
-/// projected to what the drives prescribe. Those of the frame itself, 2 rad/s and 1 m/s, must not show.
+/// A screw that is driven along and about the axis of a joint whose side a tumbles: the rates are those of the drives
+/// to round-off, for the velocities of a step are projected to what the drives prescribe. Those of the frame itself, 2
+/// rad/s and 1 m/s, must not show.
 #[test]
 fn driven_rates_are_those_of_the_drives() {
     let text = "format = 1\n[model]\nname = \"Screw\"\n\
@@ -26,7 +27,8 @@ fn driven_rates_are_those_of_the_drives() {
             let rate = 0.2 * f64::cos(2.0 * time);
             assert!((value(simulation, name) - rate).abs() < 1e-11, "{name} at {time} s: {}", value(simulation, name));
         }
-        // Accelerations fulfil the second derivatives of the conditions at the instant; the positions of the frame are right to 1e-11.
+        // Accelerations fulfil the second derivatives of the conditions at the instant; the positions of the frame are
+        // right to 1e-11.
         let pushed = -0.4 * f64::sin(2.0 * time);
         for (name, expected) in [
             ("thread_motion.angle_acceleration", 0.0),
@@ -40,8 +42,10 @@ fn driven_rates_are_those_of_the_drives() {
     });
 }
 
-/// A body that swings freely. Differences of its angle over two steps of h = 1 ms are the rate between them but for `h²/6` of its second derivative, to which the midpoint rule, whose
-/// increments are means of the rates at both ends, adds `h²/12`, and but for `h² ω³/12`, for the mean of two orientations is a chord. With `ω² <= 2 g/l` and `|ω''| <= ω g/l` that is 1.8e-5 rad/s.
+/// A body that swings freely. Differences of its angle over two steps of h = 1 ms are the rate between them but for
+/// `h²/6` of its second derivative, to which the midpoint rule, whose increments are means of the rates at both ends,
+/// adds `h²/12`, and but for `h² ω³/12`, for the mean of two orientations is a chord. With `ω² <= 2 g/l` and
+/// `|ω''| <= ω g/l` that is 1.8e-5 rad/s.
 #[test]
 fn free_rates_are_those_of_the_angle() {
     let text = "format = 1\n[model]\nname = \"Pendulum\"\ngravity = [0, 0, -9.81]\n\

@@ -1,7 +1,7 @@
-//! Every kind of joint between any two parts transmits forces and does no work: the pair keeps its momenta where it is free, and its
-//! energy (as seen from the frame that it hangs on) to second order in the step, and the conditions hold to round-off after every
-//! step. A wrong sign or a force on one side only loses the momentum at once; a joint that does work, or whose conditions are taken
-//! at another instant than its forces, shows in the energy by order 1 or 0.
+//! Every kind of joint between any two parts transmits forces and does no work: the pair keeps its momenta where it is
+//! free, and its energy (as seen from the frame that it hangs on) to second order in the step, and the conditions hold
+//! to round-off after every step. A wrong sign or a force on one side only loses the momentum at once; a joint that
+//! does work, or whose conditions are taken at another instant than its forces, shows in the energy by order 1 or 0.
 
 use crate::random::Random;
 use crate::support::machines::{energies, integrate};
@@ -44,7 +44,8 @@ fn energy_seen(system: &System, state: &State, speed: &Vec3) -> [f64; 2] {
 struct Run {
     /// Largest change of linear and angular momentum, relative.
     drift: [f64; 2],
-    /// Largest minus smallest energy, relative to the largest kinetic energy, or to the 1 J of a part that is welded to what stands still.
+    /// Largest minus smallest energy, relative to the largest kinetic energy, or to the 1 J of a part that is welded to
+    /// what stands still.
     band: f64,
     gap: f64,
 }
@@ -92,8 +93,9 @@ fn check(parts: [Part; 2], kind: &Kind, pair: &Pair, spectral_radius: f64) {
         let drift = [coarse.drift, fine.drift].concat().into_iter().fold(0.0, f64::max);
         assert!(drift < 1e-10, "{what}: momenta {drift:e}");
     }
-    // Bodies do better than promised, order 3: their conditions are quadratic, so that forces in the middle of a step do no work at all.
-    // 1e-8: the axial vibration of beams, which no step here resolves, or only round-off, where nothing turns.
+    // Bodies do better than promised, order 3: their conditions are quadratic, so that forces in the middle of a step
+    // do no work at all. 1e-8: the axial vibration of beams, which no step here resolves, or only round-off, where
+    // nothing turns.
     assert!(fine.band < 1e-8 || ratio > 3.0, "{what}: bands {:e} {:e}", coarse.band, fine.band);
     // (omega h)^2 / 8 with turns of a few rad/s.
     assert!(fine.band < 1e-3, "{what}: band {:e}", fine.band);
@@ -119,8 +121,9 @@ fn held_parts_keep_the_energy_that_their_support_sees() {
     all(&HELD, 102);
 }
 
-/// A node with an arm does not move linearly: in the middle of a step the two sides of the joint are not quite at one place, and a
-/// force along global axes would have a moment there. The condition is taken in the axes of a, which turn with everything.
+/// A node with an arm does not move linearly: in the middle of a step the two sides of the joint are not quite at one
+/// place, and a force along global axes would have a moment there. The condition is taken in the axes of a, which turn
+/// with everything.
 #[test]
 fn regression_arms_on_nodes_keep_the_angular_momentum() {
     let mut random = Random(103);

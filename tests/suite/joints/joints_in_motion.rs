@@ -1,5 +1,5 @@
-//! Two beams hung on each other by every kind of joint, at random pose, offset and axis: the joints hold to round-off, what a
-//! joint leaves free stays free, and a conservative machine keeps its energy.
+//! Two beams hung on each other by every kind of joint, at random pose, offset and axis: the joints hold to round-off,
+//! what a joint leaves free stays free, and a conservative machine keeps its energy.
 
 use crate::random::Random;
 use crate::support::machines::{design, energies, integrate};

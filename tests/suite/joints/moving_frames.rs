@@ -1,7 +1,7 @@
-//! What hangs on a moving frame moves with it, and the frame supplies the force for it: a body welded to a frame has the analytical
-//! velocity and acceleration, a pendulum on a shaken support swings as its equation says, the frame's supply is the reaction of what
-//! hangs on it, and of a point mass carried round it is `m r omega^2`. A term of the frame's motion that is missing in velocities or
-//! accelerations (Coriolis, centrifugal, Euler) shows in full.
+//! What hangs on a moving frame moves with it, and the frame supplies the force for it: a body welded to a frame has
+//! the analytical velocity and acceleration, a pendulum on a shaken support swings as its equation says, the frame's
+//! supply is the reaction of what hangs on it, and of a point mass carried round it is `m r omega^2`. A term of the
+//! frame's motion that is missing in velocities or accelerations (Coriolis, centrifugal, Euler) shows in full.
 
 use crate::running::{run, start, value, vector};
 use ancf14::math::jet::Jet;
@@ -102,7 +102,8 @@ fn a_welded_body_moves_as_its_frame_does() {
     assert!(worst[0] < 1e-13 && worst[1] < 1e-12 && worst[2] < 1e-11, "{worst:?}");
 }
 
-/// What the frame supplies is what the grip transmits, taken to the frame's origin, and what Newton and Euler demand of the body.
+/// What the frame supplies is what the grip transmits, taken to the frame's origin, and what Newton and Euler demand of
+/// the body.
 #[test]
 fn the_frame_supplies_what_hangs_on_it_needs() {
     let mut simulation = start(CARRIED);
@@ -133,8 +134,8 @@ fn the_frame_supplies_what_hangs_on_it_needs() {
     assert!(worst.into_iter().all(|worst| worst < 1e-11), "{worst:?}");
 }
 
-/// A mass on a rotating frame, at rest in it: force `m r omega^2` towards the axis, no moment about it. Held by a bushing, whose
-/// springs the frame has to supply as well, it stands off by what they give way.
+/// A mass on a rotating frame, at rest in it: force `m r omega^2` towards the axis, no moment about it. Held by a
+/// bushing, whose springs the frame has to supply as well, it stands off by what they give way.
 #[test]
 fn a_carried_mass_needs_the_centripetal_force() {
     let (mass, radius, omega) = (2.5, 0.4, 3.0);
@@ -161,8 +162,8 @@ fn a_carried_mass_needs_the_centripetal_force() {
         let moment = vector(&simulation, "table_supply.reaction_moment");
         let expected = -place.normalize() * (mass * distance * omega * omega);
         println!("{kind}: force off by {:.1e}, moment {:.1e}", (force - expected).norm(), moment.norm());
-        // The bushing has damped its first swing by exp(-20). In the middle of a step the mass is on the chord, `r (omega h)^2 / 8` nearer,
-        // which the spring of 2000 N/m feels: 9e-4 N of 9 N.
+        // The bushing has damped its first swing by exp(-20). In the middle of a step the mass is on the chord,
+        // `r (omega h)^2 / 8` nearer, which the spring of 2000 N/m feels: 9e-4 N of 9 N.
         let tolerance = if kind == "bushing" { 1.2e-4 } else { 1e-12 };
         assert!((force - expected).norm() < tolerance * expected.norm(), "{kind}: {force} {expected}");
         assert!(moment.norm() < tolerance * expected.norm(), "{kind}: {moment}");

@@ -1,7 +1,7 @@
-//! Reactions must be the forces of Newton's and Euler's laws: of a body in general motion under gravity, loads, springs, a bushing,
-//! joints and a drive, `m a` is the sum of all forces, and the derivative of its angular momentum the sum of all moments, to
-//! round-off. A wrong sign, a moment about the wrong place, a forgotten part shows in full. The multipliers that a step finds belong
-//! to its middle: they must come to those of the instant as the step shrinks.
+//! Reactions must be the forces of Newton's and Euler's laws: of a body in general motion under gravity, loads,
+//! springs, a bushing, joints and a drive, `m a` is the sum of all forces, and the derivative of its angular momentum
+//! the sum of all moments, to round-off. A wrong sign, a moment about the wrong place, a forgotten part shows in full.
+//! The multipliers that a step finds belong to its middle: they must come to those of the instant as the step shrinks.
 
 use crate::random::Random;
 use crate::running::{run, start, vector};
@@ -42,7 +42,8 @@ fn needed(system: &System, state: &State, response: &Response, number: usize) ->
     (acceleration(0) * body.mass, moment.sum())
 }
 
-/// `block` is b of two joints and of the drive, a of a bushing and of a joint, and carries a spring, a force and a follower moment.
+/// `block` is b of two joints and of the drive, a of a bushing and of a joint, and carries a spring, a force and a
+/// follower moment.
 const BLOCK: &str = r#"
 format = 1
 [model]
@@ -222,7 +223,8 @@ fn reactions_are_what_newton_and_euler_demand() {
     assert!(worst[0] < 1e-9 && worst[1] < 1e-9, "{worst:?}");
 }
 
-/// The joint of a body that hangs still bears its weight, at every place in the file: its number counts past the rigidity of bodies.
+/// The joint of a body that hangs still bears its weight, at every place in the file: its number counts past the
+/// rigidity of bodies.
 #[test]
 fn regression_reactions_of_joints_of_bodies() {
     let body = |name: &str, mass: f64, x: f64| {
@@ -289,9 +291,9 @@ fn every_kind_of_joint_acts_and_reacts() {
     }
 }
 
-/// Largest difference between the multipliers of steps and the mean of those of the instants where these begin and end, relative:
-/// they belong to the middle of the step. Of order 1, not 2: what the projection takes out of the momentum after a step, of second
-/// order, the multipliers of the next step no longer have to.
+/// Largest difference between the multipliers of steps and the mean of those of the instants where these begin and end,
+/// relative: they belong to the middle of the step. Of order 1, not 2: what the projection takes out of the momentum
+/// after a step, of second order, the multipliers of the next step no longer have to.
 fn multiplier_error(system: &System, start: &State, step: f64, count: u32) -> f64 {
     let mut state = start.clone();
     let mut midpoint = Midpoint::new(system, 1.0, 1.0, 1e-10);
@@ -333,8 +335,8 @@ fn multipliers_of_steps_come_to_those_of_instants() {
     assert!(errors[1] < 1e-3 && order > 0.8, "{errors:?}");
 }
 
-/// On a beam that is set in motion by its own sudden weight the multipliers of steps follow those of the instants as well, although the
-/// step is far from resolving its axial vibration (up to 1e4 rad/s).
+/// On a beam that is set in motion by its own sudden weight the multipliers of steps follow those of the instants as
+/// well, although the step is far from resolving its axial vibration (up to 1e4 rad/s).
 #[test]
 fn multipliers_on_beams() {
     let mut random = Random(123);

@@ -1,11 +1,13 @@
-//! Do saved states and derivatives of communication steps know what switches have changed? Whoever goes back finds what was engaged and where it holds; derivatives of a step in which
-//! something engages follow the motion behind it, and what it holds.
+//! Do saved states and derivatives of communication steps know what switches have changed? Whoever goes back finds what
+//! was engaged and where it holds; derivatives of a step in which something engages follow the motion behind it, and
+//! what it holds.
 
 use crate::curves::{Curves, load};
 use crate::running::run;
 use ancf14::fmi::Model;
 
-/// A beam with a body at its end that a latch lets go, a wheel on the body with a brake, and a dock that takes hold of the body in flight: all of it switches between 0.1 s and 0.3 s.
+/// A beam with a body at its end that a latch lets go, a wheel on the body with a brake, and a dock that takes hold of
+/// the body in flight: all of it switches between 0.1 s and 0.3 s.
 const EVERYTHING: &str = r#"format = 1
 [model]
 name = "Everything"
@@ -95,7 +97,8 @@ tolerance = 1e-12
 totals = ["energy", "work", "momentum", "statistics"]
 "#;
 
-/// The same bits behind a saved state, through bytes, wherever it was taken: before switches change, between them, behind them.
+/// The same bits behind a saved state, through bytes, wherever it was taken: before switches change, between them,
+/// behind them.
 #[test]
 fn saved_states_know_the_switches() {
     let chosen = EVERYTHING.replace("step = 2e-3\noutput_step", "output_step");
@@ -129,7 +132,8 @@ fn saved_states_know_the_switches() {
     }
 }
 
-/// Derivatives of a communication step over which switches change: those of the motion behind them, with what they hold. Compared with differences of repeated steps.
+/// Derivatives of a communication step over which switches change: those of the motion behind them, with what they
+/// hold. Compared with differences of repeated steps.
 #[test]
 fn derivatives_pass_switches() {
     for integrator in ["conserving", "generalized_alpha"] {
@@ -191,7 +195,8 @@ impl Derivative for ancf14::model::simulation::Simulation {
     }
 }
 
-/// A statics analysis: a prop carries the arm until it is taken away; the spring behind it takes over. A lock holds what the arm has then.
+/// A statics analysis: a prop carries the arm until it is taken away; the spring behind it takes over. A lock holds
+/// what the arm has then.
 #[test]
 fn equilibria_switch_too() {
     let text = r#"format = 1

@@ -1,5 +1,5 @@
-//! Are rigid arms told that nobody asked for? A joint between places that do not meet has one, as long as the distance. `at` asks for it, and so do bodies and frames
-//! with an extent.
+//! Are rigid arms told that nobody asked for? A joint between places that do not meet has one, as long as the distance.
+//! `at` asks for it, and so do bodies and frames with an extent.
 
 use ancf14::model::document::Document;
 use ancf14::model::notes::notes;
@@ -61,7 +61,8 @@ fn ways_of_sliding_joints_are_no_arms() {
     assert!(held("[1.5, 0.1, 0]", &format!("\"inplane\"\n{axis}"))[0].contains("The distance, 0.5 m,"));
 }
 
-/// A body has an extent: within 4 radii of gyration, 0.08 m, it is held where the joint is. A hinge at the center of mass puts the arm on the wire instead.
+/// A body has an extent: within 4 radii of gyration, 0.08 m, it is held where the joint is. A hinge at the center of
+/// mass puts the arm on the wire instead.
 #[test]
 fn bodies_and_platforms_reach_to_their_joints() {
     let ends = "a = \"bob\"\nb = \"wire.end\"";

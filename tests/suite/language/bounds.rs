@@ -1,5 +1,6 @@
-//! Bounds of an expression over an interval must enclose its values and derivatives there, and must not exclude a switch that happens: the ends of steps rest on both. A wrong sign in an
-//! operation, or an extreme that is not looked for, would let a pulse pass.
+//! Bounds of an expression over an interval must enclose its values and derivatives there, and must not exclude a
+//! switch that happens: the ends of steps rest on both. A wrong sign in an operation, or an extreme that is not looked
+//! for, would let a pulse pass.
 
 use crate::random::Random;
 use ancf14::math::range::Range;

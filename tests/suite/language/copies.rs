@@ -1,5 +1,6 @@
-//! Does a file with copies mean what the same file means in which every part is written out? The flat text is what is read; these tests say which
-//! text that is, that it is complete, and that large models of it give the results that their written-out originals gave.
+//! Does a file with copies mean what the same file means in which every part is written out? The flat text is what is
+//! read; these tests say which text that is, that it is complete, and that large models of it give the results that
+//! their written-out originals gave.
 
 use ancf14::fmi::Model;
 use ancf14::model::document::Document;
@@ -33,7 +34,8 @@ fn section(text: &str, title: &str) -> String {
     rest.split("\n\n").next().unwrap().trim_end().to_owned()
 }
 
-/// Names of the same copy get its index, those of other copies are named by brackets, others stay; the index is a number in expressions.
+/// Names of the same copy get its index, those of other copies are named by brackets, others stay; the index is a
+/// number in expressions.
 #[test]
 fn names_and_numbers_are_those_of_the_copy() {
     let text = with(
@@ -139,8 +141,8 @@ stiffness = 1
     assert!(!flat.contains("along_2_3") && !flat.contains("across_1_2") && !flat.contains("across_2_1"));
 }
 
-/// Parameters that decide what there is are numbers of the flat file, also where they stand in expressions: changed later, they would change half of
-/// it. `--set` changes them when the file is read.
+/// Parameters that decide what there is are numbers of the flat file, also where they stand in expressions: changed
+/// later, they would change half of it. `--set` changes them when the file is read.
 #[test]
 fn counts_are_set_when_the_file_is_read() {
     let document = parse(NET_OF_RODS, &[("n", "5")]).unwrap_or_else(|message| panic!("{message}"));
@@ -242,8 +244,9 @@ fn there_is_a_limit_of_parts() {
     assert!(message.contains("the limit is 4000"), "{message}");
 }
 
-// What the files that a program had written gave, part by part, with the same version of the solver. The forces and the moment of the net and of the turbine are those after a change of the numerical
-// dissipation, which moved them by 5e-6 and 5e-5.
+// What the files that a program had written gave, part by part, with the same version of the solver. The forces and the
+// moment of the net and of the turbine are those after a change of the numerical dissipation, which moved them by 5e-6
+// and 5e-5.
 const WHEEL_CONTACT: f64 = 2.2057544304771026e-4;
 const WHEEL_TOP: f64 = -1.1114192730415917e-4;
 const WHEEL_FORCE: f64 = -3799.1764434311026;
@@ -253,7 +256,8 @@ const TURBINE_TIP: f64 = -30.153072758125;
 const TURBINE_FORCE: f64 = 58915.04647117718;
 const TURBINE_MOMENT: f64 = 1798717.7728679865;
 
-/// The results of a wheel that was written out by a program: 32 frames with their coordinates to the last digit, in place of points on the hub.
+/// The results of a wheel that was written out by a program: 32 frames with their coordinates to the last digit, in
+/// place of points on the hub.
 #[test]
 fn the_wheel_agrees_with_the_written_out_one() {
     let mut simulation = start(WHEEL);

@@ -1,5 +1,6 @@
-//! Is a force that does not do what its author meant told? Each of these models is legal, runs, and gives numbers: the sign of a spring, a stop that pushes from the
-//! start or gives way, copies in one place, an equilibrium far from the drawing.
+//! Is a force that does not do what its author meant told? Each of these models is legal, runs, and gives numbers: the
+//! sign of a spring, a stop that pushes from the start or gives way, copies in one place, an equilibrium far from the
+//! drawing.
 
 use crate::running::start;
 use ancf14::fmi::Model;
@@ -114,7 +115,8 @@ fn a_stop_that_gives_way_is_told() {
     assert!(soft.len() == 1 && soft[0].starts_with("stop end is penetrated by 0.5"), "{soft:?}");
 }
 
-/// An arm that gravity turns to where it hangs, a quarter turn away from its drawing: told. Drawn where it hangs, or held, it is not.
+/// An arm that gravity turns to where it hangs, a quarter turn away from its drawing: told. Drawn where it hangs, or
+/// held, it is not.
 #[test]
 fn an_equilibrium_far_from_the_drawing_is_told() {
     let told = |text: &str| {

@@ -1,6 +1,7 @@
-//! Do functions of the file have the values and derivatives that mathematics gives them, do steps end at the corners of tables, and is a table in a
-//! file the same as its rows in the model? A wrong derivative would spoil the velocities of a drive; a step across a corner would lose accuracy;
-//! rows that change on their way into the flat text would change the results of an FMU.
+//! Do functions of the file have the values and derivatives that mathematics gives them, do steps end at the corners of
+//! tables, and is a table in a file the same as its rows in the model? A wrong derivative would spoil the velocities of
+//! a drive; a step across a corner would lose accuracy; rows that change on their way into the flat text would change
+//! the results of an FMU.
 
 use ancf14::fmi::Model;
 use ancf14::model::document::Document;
@@ -77,7 +78,8 @@ fn functions_call_functions() {
 
 const ROWS: &str = "table = [[0, 1], [0.5, 2], [0.75, 2], [1.5, -1], [2.5, 0.5]]";
 
-/// First and second derivatives of both interpolations, through a curved argument, by central differences of the value and the first derivative.
+/// First and second derivatives of both interpolations, through a curved argument, by central differences of the value
+/// and the first derivative.
 #[test]
 fn derivatives_are_those_of_the_values() {
     for interpolation in ["linear", "monotone"] {
@@ -137,7 +139,8 @@ fn tables_reproduce_their_rows_and_keep_monotone() {
     assert_eq!((between.value, between.first, between.second), (1.5, 2.0, 0.0));
 }
 
-/// A table of one period is the same in every other one, also before its first row; joined ends of a monotone one have one derivative.
+/// A table of one period is the same in every other one, also before its first row; joined ends of a monotone one have
+/// one derivative.
 #[test]
 fn tables_repeat() {
     let text = |interpolation: &str| {
@@ -161,7 +164,8 @@ fn tables_repeat() {
     assert_eq!(force(&text("linear")).breaks([0.0, 2.0]), [0.0, 0.25, 0.75, 1.0, 1.25, 1.75, 2.0]);
 }
 
-/// Corners in time are where the argument reaches a row, through expressions and functions; a piece has only those of its own time.
+/// Corners in time are where the argument reaches a row, through expressions and functions; a piece has only those of
+/// its own time.
 #[test]
 fn corners_of_tables_are_breaks() {
     let functions = format!("[function.wind]\n{ROWS}\n[function.later]\nvalue = \"wind(2*x - gain) + 1\"");
@@ -186,7 +190,8 @@ fn steps_end_at_rows() {
     assert_near(running::value(&simulation, "motion.velocity[1]"), 0.5 * 0.08 * 8.0, 1e-12, "momentum");
 }
 
-/// A table that ends is told when the file is read, if a constant or an end of the run asks for more; else the step fails with the reason.
+/// A table that ends is told when the file is read, if a constant or an end of the run asks for more; else the step
+/// fails with the reason.
 #[test]
 fn a_table_may_end() {
     let functions = "[function.wind]\ntable = [[0, 1], [1, 5]]\noutside = \"error\"";
@@ -310,7 +315,8 @@ fn mistakes_in_files_are_told_there() {
     assert!(message.contains("cannot read") && message.contains("m.toml:7:8"), "{message}");
 }
 
-/// Functions of an included file keep to themselves: their names begin with that of the include, and their expressions use its parameters.
+/// Functions of an included file keep to themselves: their names begin with that of the include, and their expressions
+/// use its parameters.
 #[test]
 fn functions_of_included_files_are_their_own() {
     let part =
@@ -343,7 +349,8 @@ fn the_page_has_an_example_that_runs() {
     let example = rest.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).expect("the example");
     let mut simulation = running::start(example);
     running::run(&mut simulation, 0.5, 0.5, |_| {});
-    // 12 * 6.1^2 = 450 N at 0.55 s bend 5 m of EI = 3.5e5 N m2 by 5 cm, were the force constant: half of that after the first half of the gust.
+    // 12 * 6.1^2 = 450 N at 0.55 s bend 5 m of EI = 3.5e5 N m2 by 5 cm, were the force constant: half of that after the
+    // first half of the gust.
     let top = running::value(&simulation, "top.displacement[1]");
     assert!((0.005..0.1).contains(&top), "{top}");
 }

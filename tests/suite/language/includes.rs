@@ -1,5 +1,5 @@
-//! Is a model of several files what its parts are, each with the name of its include before its own? The files are written into a folder of this
-//! test; paths are relative to the file that names them.
+//! Is a model of several files what its parts are, each with the name of its include before its own? The files are
+//! written into a folder of this test; paths are relative to the file that names them.
 
 use ancf14::model::document::Document;
 use ancf14::model::file::{Folder, Reach};
@@ -111,7 +111,8 @@ fn an_included_blade_is_copied() {
     assert_eq!(Document::parse("m.toml", flat, &[]).unwrap_or_else(|message| panic!("{message}")).text(), flat);
 }
 
-/// A file whose copies get the names of their parts from a list is included as it is: names of ends and of coordinates get the prefix of the include once. The flat model is that of the file by itself, with this prefix.
+/// A file whose copies get the names of their parts from a list is included as it is: names of ends and of coordinates
+/// get the prefix of the include once. The flat model is that of the file by itself, with this prefix.
 #[test]
 fn included_copies_name_the_parts_of_their_own_file() {
     let machines = [
@@ -142,7 +143,8 @@ fn included_copies_name_the_parts_of_their_own_file() {
     }
 }
 
-/// Rows of a list in a list, the ground of an included file that is moved, and a point on a frame: each name is that of the scope in which it is written.
+/// Rows of a list in a list, the ground of an included file that is moved, and a point on a frame: each name is that of
+/// the scope in which it is written.
 #[test]
 fn rows_of_lists_mean_what_they_mean_where_they_stand() {
     let part = "format = 1\n[parameters]\narm = 0.3\n[frame.hand]\nposition = [0, 0, 0]\n\
@@ -228,7 +230,8 @@ fn the_turn_of_an_include_has_its_angle() {
     assert!(message.contains("`turn` needs an axis and an angle"), "{message}");
 }
 
-/// A model must not read files of the computer that are not its own, as their lines come back in messages and in packed FMUs: neither by a path, nor through a link. Allowed explicitly, it reads them.
+/// A model must not read files of the computer that are not its own, as their lines come back in messages and in packed
+/// FMUs: neither by a path, nor through a link. Allowed explicitly, it reads them.
 #[test]
 fn files_outside_of_the_folder_are_refused() {
     let secret = "time,value\n0,1\n1,2\n";
@@ -279,7 +282,8 @@ fn files_outside_of_the_folder_are_refused() {
     }
 }
 
-/// Files that include the next one twice make a million of the last: the depth, and without it the number, is told at once.
+/// Files that include the next one twice make a million of the last: the depth, and without it the number, is told at
+/// once.
 #[test]
 fn branches_of_includes_are_told_at_once() {
     let next = |number: usize| {

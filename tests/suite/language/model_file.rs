@@ -1,5 +1,5 @@
-//! Does a model file arrive as it was written? Values, parameters and their kinds, functions of time, overrides, and what
-//! changes when a parameter is set.
+//! Does a model file arrive as it was written? Values, parameters and their kinds, functions of time, overrides, and
+//! what changes when a parameter is set.
 
 use ancf14::fmi::Value;
 use ancf14::fmi::variable::{Causality, Variability, Variable};
@@ -228,8 +228,8 @@ fn shapes_and_line_loads() {
     assert_eq!(row(&document, "weight.force[1]").quantity.unit, "N/m");
 }
 
-/// The picture shows things where they are: nodes along the beam, a joint at its default place, a load that begins at zero
-/// as it first acts.
+/// The picture shows things where they are: nodes along the beam, a joint at its default place, a load that begins at
+/// zero as it first acts.
 #[test]
 fn drawings_are_made_of_the_file() {
     let drawing = Drawing::new(&parse(PRINCETON, &[("angle_deg", "90"), ("arm.elements", "4")]));
@@ -245,8 +245,8 @@ fn drawings_are_made_of_the_file() {
     assert_eq!((axis.name.as_str(), axis.kind, axis.direction), ("elbow", ArrowKind::Axis, [0.0, 1.0, 0.0]));
 }
 
-/// A load that swings is drawn the way it acts first, not as it is at the end; a rigid arm reaches from a joint to its body; what is
-/// infinitely far away is left out.
+/// A load that swings is drawn the way it acts first, not as it is at the end; a rigid arm reaches from a joint to its
+/// body; what is infinitely far away is left out.
 #[test]
 fn regression_drawings_show_what_acts_and_what_is_near() {
     let text = r#"

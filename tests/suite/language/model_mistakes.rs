@@ -1,6 +1,6 @@
-//! What does a user read who made a mistake? Every file in `tests/errors` has one kind of mistake; beside it stands the message
-//! that must come, to the letter: position, underlining, what was expected, the nearest name. A wrong code gives a
-//! different text, or takes the file.
+//! What does a user read who made a mistake? Every file in `tests/errors` has one kind of mistake; beside it stands the
+//! message that must come, to the letter: position, underlining, what was expected, the nearest name. A wrong code
+//! gives a different text, or takes the file.
 //!
 //! `ANCF14_BLESS=1 cargo test` writes the messages anew; read the difference before it is committed.
 

@@ -1,5 +1,5 @@
-//! Bodies, frames, joints of all kinds, drives, springs and their outputs: do they arrive as they were written, with the right
-//! numbers as parameters and inputs? `tests/everything.toml` has them all.
+//! Bodies, frames, joints of all kinds, drives, springs and their outputs: do they arrive as they were written, with
+//! the right numbers as parameters and inputs? `tests/everything.toml` has them all.
 
 use ancf14::fmi::Value;
 use ancf14::fmi::variable::{Causality, Variability, Variable};
@@ -155,7 +155,8 @@ fn drives_are_functions_or_inputs() {
     }
 }
 
-/// An actuator acts on a coordinate of a joint or between two points; its effort is a torque or a force, and may be the host's.
+/// An actuator acts on a coordinate of a joint or between two points; its effort is a torque or a force, and may be the
+/// host's.
 #[test]
 fn actuators_arrive_as_written() {
     let document = parse(&[]);

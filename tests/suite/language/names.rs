@@ -1,5 +1,6 @@
-//! May one word name a material, a section, a beam, a load, an output and a parameter at once? Every reference and every variable must still
-//! mean one thing. A wrong code refuses natural files, or sets the damping of a spring where that of a material was meant.
+//! May one word name a material, a section, a beam, a load, an output and a parameter at once? Every reference and
+//! every variable must still mean one thing. A wrong code refuses natural files, or sets the damping of a spring where
+//! that of a material was meant.
 
 use crate::running::{run, start, value};
 use ancf14::fmi::Model;
@@ -97,7 +98,8 @@ fn set(key: &str, value: &str) -> Result<Simulation, String> {
     Simulation::load("m.toml", ROPE, &overrides).map_err(|failure| failure.message)
 }
 
-/// `--set NAME.key` means the thing that has the key, or else the only one that can have it; SECTION.NAME.key always says which.
+/// `--set NAME.key` means the thing that has the key, or else the only one that can have it; SECTION.NAME.key always
+/// says which.
 #[test]
 fn an_override_finds_the_thing_with_its_key() {
     for (key, number, variable) in [
@@ -165,7 +167,8 @@ fn try_load(text: &str) -> Result<Simulation, String> {
     Simulation::load("m.toml", text, &[]).map_err(|failure| failure.message)
 }
 
-/// A point and the joint at it may have one name: an `a` means the point, a `joint` the joint, and an output the one that has its quantities.
+/// A point and the joint at it may have one name: an `a` means the point, a `joint` the joint, and an output the one
+/// that has its quantities.
 #[test]
 fn a_place_and_a_connection_may_have_one_name() {
     let output = |name: &str, quantities: &str| format!("[output.{name}]\nat = \"pin\"\nquantities = {quantities}\n");

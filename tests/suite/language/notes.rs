@@ -1,5 +1,5 @@
-//! Does a model that is legal but hardly ever meant so get a note, and a sound one none? A wrong code is silent about a part that falls
-//! away, or cries wolf.
+//! Does a model that is legal but hardly ever meant so get a note, and a sound one none? A wrong code is silent about a
+//! part that falls away, or cries wolf.
 
 use ancf14::model::document::Document;
 use ancf14::model::notes::notes;
@@ -73,7 +73,8 @@ fn regression_loose_parts_are_named() {
     }
 }
 
-/// Moduli in MPa and GPa and densities in g/cm³ or t/mm³ are told with the number to write, those of rubber are not; statics do not ask for the density.
+/// Moduli in MPa and GPa and densities in g/cm³ or t/mm³ are told with the number to write, those of rubber are not;
+/// statics do not ask for the density.
 #[test]
 fn regression_materials_in_other_units_are_told() {
     let held = format!("{BEAMS}{ROOT}{MIDDLE}{ROPE}");
@@ -151,8 +152,8 @@ fn driven(motion: &str) -> String {
     format!("{beams}{hinge}{motion}\n{MIDDLE}{ROPE}")
 }
 
-/// A drive that comes to rest at 90 or that ends there in statics means degrees, and so does one that gets there at 90 a second; a shaft that turns on, and
-/// any other angle, does not. Rates are integrated.
+/// A drive that comes to rest at 90 or that ends there in statics means degrees, and so does one that gets there at 90
+/// a second; a shaft that turns on, and any other angle, does not. Rates are integrated.
 #[test]
 fn angles_in_degrees_are_told() {
     let still = "value = [{ until = 0.5, is = \"180*t\" }, { is = 90 }]";
@@ -220,7 +221,8 @@ fn other_angles_in_degrees_are_told() {
     }
 }
 
-/// A drive that sets off at once strikes a mechanism at rest; one that begins slowly does not, nor one whose mechanism moves along.
+/// A drive that sets off at once strikes a mechanism at rest; one that begins slowly does not, nor one whose mechanism
+/// moves along.
 #[test]
 fn jumps_of_velocity_are_told() {
     let at_rest = |motion: &str| driven(motion).replace("angular_velocity = [0, 0, 1]\n", "");

@@ -1,5 +1,6 @@
-//! Machines that are drawn oddly but soundly must run, and what cannot run must say why: bodies at one place, a drive that begins turns
-//! away, a machine at rest that is no loss of energy, a bushing turned too far, a motion that begins with an infinite rate.
+//! Machines that are drawn oddly but soundly must run, and what cannot run must say why: bodies at one place, a drive
+//! that begins turns away, a machine at rest that is no loss of energy, a bushing turned too far, a motion that begins
+//! with an infinite rate.
 
 use crate::running::{start, vector};
 use ancf14::fmi::{Model, Value};
@@ -47,8 +48,9 @@ fn a_drive_that_begins_turns_away_is_assembled_there() {
     assert_eq!(run(&format!("{HEAD}{bodies}{joints}{rest}"), 0.01), Ok(Vec::new()));
 }
 
-/// The bob of the same machine hangs straight down from the crank's tip. With a damping of the fall that grew without end where the
-/// drive, not the fall, was too fast, multipliers became so large that any place passed for an equilibrium.
+/// The bob of the same machine hangs straight down from the crank's tip. With a damping of the fall that grew without
+/// end where the drive, not the fall, was too fast, multipliers became so large that any place passed for an
+/// equilibrium.
 #[test]
 fn regression_what_falls_while_a_drive_turns_comes_to_rest() {
     let bodies = body("crank", "[0.5, 0, 0]") + &body("bob", "[1, 0, -1]");
@@ -80,8 +82,8 @@ fn a_machine_without_energy_is_not_warned_of() {
     assert_eq!(run(&(text + "[simulation]\nstop = 1\nstep = 1e-3\n"), 0.01), Ok(Vec::new()));
 }
 
-/// What a host gives a drive is reached at the end of its step: from rest with constant acceleration, from the velocity that the host says to the same
-/// mean. A rate is integrated.
+/// What a host gives a drive is reached at the end of its step: from rest with constant acceleration, from the velocity
+/// that the host says to the same mean. A rate is integrated.
 #[test]
 fn a_host_s_drive_is_reached_at_the_end_of_a_step() {
     for (input, value, slope, rate, angle) in
@@ -142,7 +144,8 @@ fn a_motion_without_a_rate_is_named() {
     assert!(message.contains("the motion of frame table is not a finite number at t = 0 s"), "{message}");
 }
 
-/// A branch that a body holds, and once more by a condition: where nothing has a mass, pivots sought among few rows do not show it.
+/// A branch that a body holds, and once more by a condition: where nothing has a mass, pivots sought among few rows do
+/// not show it.
 #[test]
 fn what_is_held_twice_at_rest_is_refused() {
     let beam = |name: &str, from: &str, to: &str| {
@@ -165,7 +168,8 @@ fn what_is_held_twice_at_rest_is_refused() {
     assert!(message.contains("is redundant: other joints already impose its constraints"), "{message}");
 }
 
-/// A beam that nothing holds falls away under any weight: that no iteration finds where it comes to rest is not what its user has to hear.
+/// A beam that nothing holds falls away under any weight: that no iteration finds where it comes to rest is not what
+/// its user has to hear.
 #[test]
 fn a_beam_that_nothing_holds_is_free() {
     // Oblique: with round numbers round-off would show at once that it is free.
@@ -180,8 +184,8 @@ fn a_beam_that_nothing_holds_is_free() {
     }
 }
 
-/// A heavy body on a universal joint at the end of a soft strip is free as drawn, but meant to hang. Where its fall goes too far for the elements, both are told: neither
-/// alone says what to do.
+/// A heavy body on a universal joint at the end of a soft strip is free as drawn, but meant to hang. Where its fall
+/// goes too far for the elements, both are told: neither alone says what to do.
 #[test]
 fn what_is_free_as_drawn_and_finds_no_rest_is_told_of_both() {
     let text = "[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n\

@@ -1,5 +1,5 @@
-//! Is a fixed step that cannot show what a model asks for told, and a sound one not? A wrong code is silent about a load that the steps skip, or warns of pulses, corners and motions that
-//! the step is meant for.
+//! Is a fixed step that cannot show what a model asks for told, and a sound one not? A wrong code is silent about a
+//! load that the steps skip, or warns of pulses, corners and motions that the step is meant for.
 
 use ancf14::fmi::Model;
 use ancf14::model::document::Document;
@@ -23,7 +23,8 @@ fn pushed(force: &str, step: &str) -> Vec<String> {
     notes(&Document::parse("m.toml", &text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}")))
 }
 
-/// Loads with fewer than ten steps a period are told, with the step to write; those with eleven, single pulses, jumps, squares of pieces and rows of a table are not.
+/// Loads with fewer than ten steps a period are told, with the step to write; those with eleven, single pulses, jumps,
+/// squares of pieces and rows of a table are not.
 #[test]
 fn fast_loads_are_told() {
     let found = pushed("\"3*sin(2*pi*20*t)\"", "0.01");

@@ -1,5 +1,5 @@
-//! `totals` in `[simulation]` chooses which results of the whole mechanism stand behind those of the outputs. It must change nothing else: a wrong code would shift
-//! the columns, compute another motion, or judge errors by other scales.
+//! `totals` in `[simulation]` chooses which results of the whole mechanism stand behind those of the outputs. It must
+//! change nothing else: a wrong code would shift the columns, compute another motion, or judge errors by other scales.
 
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::Causality;
@@ -38,7 +38,8 @@ fn a_list_chooses_the_totals() {
     }
 }
 
-/// What is left has the same values to the last bit, and the same estimated errors: these are compared with the energies, shown or not.
+/// What is left has the same values to the last bit, and the same estimated errors: these are compared with the
+/// energies, shown or not.
 #[test]
 fn totals_change_nothing_else() {
     let (mut all, mut some) = (with(""), with("totals = [\"statistics\"]"));

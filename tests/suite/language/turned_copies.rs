@@ -1,9 +1,11 @@
-//! Is a turned copy the turned original? Two parts of one file, of which the second is the first one turned about an arbitrary axis through an
-//! arbitrary point and then moved, must move alike: every position of the copy is the turned position of the original, every rotation vector the
-//! turned rotation vector. A key whose vector does not turn with the copy breaks this.
+//! Is a turned copy the turned original? Two parts of one file, of which the second is the first one turned about an
+//! arbitrary axis through an arbitrary point and then moved, must move alike: every position of the copy is the turned
+//! position of the original, every rotation vector the turned rotation vector. A key whose vector does not turn with
+//! the copy breaks this.
 //!
-//! Tolerance: both are computed in the same run, and an element's equations in other axes differ by round-off only. Newton stops at 1e-8 of
-//! the size by default; with 1e-12 what is left is far below 1e-7 of the motion, while a vector that is not turned gives errors of order 1.
+//! Tolerance: both are computed in the same run, and an element's equations in other axes differ by round-off only.
+//! Newton stops at 1e-8 of the size by default; with 1e-12 what is left is far below 1e-7 of the motion, while a vector
+//! that is not turned gives errors of order 1.
 
 use ancf14::math::rotation::rotation_matrix;
 use ancf14::math::{Mat3, Vec3};
@@ -201,7 +203,8 @@ fn copies(angle: &str, parameters: &str) -> String {
     )
 }
 
-/// The largest distance between a result of the copy and the turned result of the original, and the size of what is compared.
+/// The largest distance between a result of the copy and the turned result of the original, and the size of what is
+/// compared.
 fn distance(simulation: &Simulation) -> f64 {
     let turn: Mat3 = rotation_matrix(&(Vec3::from(AXIS).normalize() * ANGLE));
     let (center, shift) = (Vec3::from(CENTER), Vec3::from(MOVE));
@@ -267,7 +270,8 @@ fn copies_without_an_angle_share_a_whole_turn() {
     assert_ne!(shared, text("axis = [1, 2, 2], angle = \"2*pi*(k - 1)/4\", center = [0, 1, 0]"));
 }
 
-/// Angles of copies in degrees are told once with the number to write; those in radians, and a star of more than a whole turn in all, are not.
+/// Angles of copies in degrees are told once with the number to write; those in radians, and a star of more than a
+/// whole turn in all, are not.
 #[test]
 fn angles_of_copies_in_degrees_are_told() {
     let remedy = "; without `angle`, the copies are spread evenly over a whole turn";
@@ -297,8 +301,9 @@ fn angles_of_copies_in_degrees_are_told() {
 const BOB: &str = "[copy.both.body.bob]\nmass = 1\nposition = [1, 0, 0]\ninertia = [1, 1, 1]\n[copy.both.spring.rope]\na = \"ground\"\nb = \"bob\"\n\
                    stiffness = 100\nlength = 0.9\n[copy.both.output.rope]\nat = \"rope\"\nquantities = [\"force\"]\n";
 
-/// The ground of a copy is its own origin: both ropes pull with 10 N, one of them 10 m away, where a rope from the origin of the model would pull with 1,010 N. The
-/// new end has a name that nothing else has, and where the origin stays, the ground does too. What the file calls ground in a row of the copies is its own.
+/// The ground of a copy is its own origin: both ropes pull with 10 N, one of them 10 m away, where a rope from the
+/// origin of the model would pull with 1,010 N. The new end has a name that nothing else has, and where the origin
+/// stays, the ground does too. What the file calls ground in a row of the copies is its own.
 #[test]
 fn regression_the_ground_moves_with_its_copy() {
     let text = |copy: &str| {

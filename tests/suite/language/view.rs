@@ -1,12 +1,13 @@
-//! Does `ancf14 view` show what the solver computes? Stations must be where outputs at the same points are, and bear what outputs there tell; signs must be where
-//! joints, springs and bodies are; shapes of modes must be those of `ancf14 modes`. A picture from other places would be believed all the same.
+//! Does `ancf14 view` show what the solver computes? Stations must be where outputs at the same points are, and bear
+//! what outputs there tell; signs must be where joints, springs and bodies are; shapes of modes must be those of
+//! `ancf14 modes`. A picture from other places would be believed all the same.
 
 use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
 use ancf14::model::view::{RESULTS, Recording, Track};
 
-/// A curved, pretwisted beam that is bent and twisted by its weight, by a follower load, and by a body on its end; a strip of two straight pieces hangs on it,
-/// with a corner between them.
+/// A curved, pretwisted beam that is bent and twisted by its weight, by a follower load, and by a body on its end; a
+/// strip of two straight pieces hangs on it, with a corner between them.
 const MODEL: &str = r#"format = 1
 [model]
 name = "Picture"
@@ -123,7 +124,8 @@ fn assert_near(found: f64, expected: f64, size: f64, what: &str) {
     assert!((found - expected).abs() <= 1e-10 * size, "{what}: {found:e}, {expected:e}");
 }
 
-/// Of all formulations: each station of the output is a station of the picture, with the same place, axes, forces, strains and stress.
+/// Of all formulations: each station of the output is a station of the picture, with the same place, axes, forces,
+/// strains and stress.
 #[test]
 fn stations_tell_what_outputs_tell() {
     for overrides in [&[("arm.twist", "linear")][..], &[("arm.twist", "quadratic")], &[("arm.element", "ancf24")]] {

@@ -1,5 +1,6 @@
-//! Machines as engineers draw them, each in the shortest words of the model file, against numbers that one computes by hand. Their files are in
-//! `tests/machines/`; the net and the wind turbine are checked in `tests/suite/language/copies.rs`.
+//! Machines as engineers draw them, each in the shortest words of the model file, against numbers that one computes by
+//! hand. Their files are in `tests/machines/`; the net and the wind turbine are checked in
+//! `tests/suite/language/copies.rs`.
 
 mod motions;
 mod statics;

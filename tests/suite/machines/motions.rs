@@ -12,8 +12,8 @@ const SATELLITE: &str = include_str!("../../machines/satellite.toml");
 const SLACK_CABLE: &str = include_str!("../../machines/slack_cable.toml");
 const TOP: &str = include_str!("../../machines/spinning_top.toml");
 
-/// `tan(out) = tan(in)/cos β` or `tan(in) cos β` by how the cross is drawn: its axis in the input shaft is z, across the plane of the shafts,
-/// so that the output first lags: `tan(out) = cos β tan(in)`.
+/// `tan(out) = tan(in)/cos β` or `tan(in) cos β` by how the cross is drawn: its axis in the input shaft is z, across
+/// the plane of the shafts, so that the output first lags: `tan(out) = cos β tan(in)`.
 #[test]
 fn cardan_shaft_turns_as_the_formula_says() {
     let results = results(CARDAN_SHAFT, &[]);
@@ -31,8 +31,8 @@ fn cardan_shaft_turns_as_the_formula_says() {
     assert!(worst < 2e-4, "{worst}");
 }
 
-/// The bit of a long string sticks and slips: it stands still, then runs at more than twice the speed of the table. Its mean is that of the table. At rest
-/// the string hangs from its weight: `(ρ g L²/2 + (M g − 50 kN) L/A)/E`.
+/// The bit of a long string sticks and slips: it stands still, then runs at more than twice the speed of the table. Its
+/// mean is that of the table. At rest the string hangs from its weight: `(ρ g L²/2 + (M g − 50 kN) L/A)/E`.
 #[test]
 fn drill_string_stretches_and_sticks_and_slips() {
     let results = results(DRILL_STRING, &[]);
@@ -136,7 +136,8 @@ fn robot_sags_by_the_bending_of_its_links() {
     let [sag, slope] = end(0.5, held + 1.0 * gravity, (second * 0.2 + payload * 0.4) * gravity);
     let [outer, _] = end(0.4, payload * gravity, 0.0);
     let angles = [robot.value("bearing_1.angle").unwrap(), robot.value("bearing_2.angle").unwrap()];
-    // The controller compensates for rigid links at the level: its angles come to nearly 0, and what is left tilts the arm.
+    // The controller compensates for rigid links at the level: its angles come to nearly 0, and what is left tilts the
+    // arm.
     let tilt = 0.9 * angles[0] + 0.4 * angles[1];
     let found = -robot.value("tool_motion.position[3]").unwrap() + tilt;
     // Second order of the slopes, 0.06²/2.
@@ -161,8 +162,8 @@ fn satellite_turns_by_its_torque_and_keeps_its_momentum() {
     }
 }
 
-/// The catenary of a chain of 24 m over 20 m: `2 a sinh(10/a) = 24`, `H = μ g a`, sag `a (cosh(10/a) − 1)`; the wire's `EI` and give are
-/// of the order of 1e-3.
+/// The catenary of a chain of 24 m over 20 m: `2 a sinh(10/a) = 24`, `H = μ g a`, sag `a (cosh(10/a) − 1)`; the wire's
+/// `EI` and give are of the order of 1e-3.
 #[test]
 fn slack_cable_hangs_as_a_catenary() {
     let mut cable = machine_with(SLACK_CABLE, &[]);
@@ -177,8 +178,8 @@ fn slack_cable_hangs_as_a_catenary() {
     check("sag", -cable.value("middle.position[3]").unwrap(), a * ((10.0 / a).cosh() - 1.0), 2e-3);
 }
 
-/// A fast top precesses by `m g l/(I_3 w)` to first order; exactly, by the smaller root of `I_1 W² cos θ − I_3 w W + m g l = 0`, about which it nutates
-/// when let go at rest.
+/// A fast top precesses by `m g l/(I_3 w)` to first order; exactly, by the smaller root of
+/// `I_1 W² cos θ − I_3 w W + m g l = 0`, about which it nutates when let go at rest.
 #[test]
 fn top_precesses_slowly() {
     let results = results(TOP, &[]);

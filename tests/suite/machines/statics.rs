@@ -11,8 +11,9 @@ const SCISSOR_LIFT: &str = include_str!("../../machines/scissor_lift.toml");
 const TENSEGRITY: &str = include_str!("../../machines/tensegrity_prism.toml");
 const VALVE_SPRING: &str = include_str!("../../machines/valve_spring.toml");
 
-/// Half of the bar by the energy method: a unit force at the link bends the arm over its length and the back to the bushing and beyond, and twists the
-/// back; the bushings are at 0.2333 m from the arms, where the nodes are, and antisymmetric bending ends in the middle. Springs of the bushings included.
+/// Half of the bar by the energy method: a unit force at the link bends the arm over its length and the back to the
+/// bushing and beyond, and twists the back; the bushings are at 0.2333 m from the arms, where the nodes are, and
+/// antisymmetric bending ends in the middle. Springs of the bushings included.
 #[test]
 fn anti_roll_bar_has_the_stiffness_of_the_energy_method() {
     let (young, shear) = (206e9, 206e9 / 2.6);
@@ -24,17 +25,20 @@ fn anti_roll_bar_has_the_stiffness_of_the_energy_method() {
     // Moments of a unit force: x over the arm, s over the outer part of the back, falling to 0 in the middle.
     let bending = arm.powi(3) / 3.0 + outside.powi(3) / 3.0 + outside.powi(2) * inside / 3.0;
     let torsion = arm * arm * half;
-    // The bushing bears 1 + outside/inside of the force along z, at a distance that multiplies its give by the same factor.
+    // The bushing bears 1 + outside/inside of the force along z, at a distance that multiplies its give by the same
+    // factor.
     let lever = 1.0 + outside / inside;
     let give = bending / (young * second) + torsion / (shear * 2.0 * second) + lever * lever / 5e6;
     // Small travel: the arms stay level, as the energy method has them.
     let results = results(ANTI_ROLL_BAR, &[("travel", "1e-4")]);
     let stiffness = last(&results, "force.effort") / 1e-4;
-    // The rotational springs of the bushings, 10 N m/rad against GJ/L of 1.8e3, and their share of the arm's turn remain.
+    // The rotational springs of the bushings, 10 N m/rad against GJ/L of 1.8e3, and their share of the arm's turn
+    // remain.
     check("stiffness of a side", stiffness, 1.0 / give, 0.01);
 }
 
-/// What the archer does by hand is what limbs and string hold: the trapezoidal sum of force and way has an error of second order of the 20 steps.
+/// What the archer does by hand is what limbs and string hold: the trapezoidal sum of force and way has an error of
+/// second order of the 20 steps.
 #[test]
 fn bow_stores_the_work_of_the_archer() {
     let results = results(BOW, &[]);
@@ -44,8 +48,8 @@ fn bow_stores_the_work_of_the_archer() {
     check("stored energy", change, work, 2e-3);
 }
 
-/// Two leaves guided at both ends: `24 EI/L³` less the weight's `2·6/5 (P/2)/L`; with `th` thin, stretching stiffens nothing at small way. The
-/// stage sinks by `3/5 d²/L` because the leaves keep their lengths.
+/// Two leaves guided at both ends: `24 EI/L³` less the weight's `2·6/5 (P/2)/L`; with `th` thin, stretching stiffens
+/// nothing at small way. The stage sinks by `3/5 d²/L` because the leaves keep their lengths.
 #[test]
 fn flexure_stage_has_stiffness_and_parasitic_motion_of_leaf_springs() {
     let second = 0.02 * 0.3e-3_f64.powi(3) / 12.0;
@@ -53,7 +57,8 @@ fn flexure_stage_has_stiffness_and_parasitic_motion_of_leaf_springs() {
     let stiffness = 24.0 * 200e9 * second / 0.05_f64.powi(3) - 1.2 * weight / 0.05;
     let small = results(FLEXURE_STAGE, &[("force", "0.01")]);
     let moved = last(&small, "stage.displacement[1]") - column(&small, "stage.displacement[1]")[0];
-    // Half of the leaves' own weight (0.5 % of the stage's stiffness against it) is left out of the hand calculation: 1.2*0.046*9.81/2/0.05 = 5.4 N/m of 1.7 kN/m.
+    // Half of the leaves' own weight (0.5 % of the stage's stiffness against it) is left out of the hand calculation:
+    // 1.2*0.046*9.81/2/0.05 = 5.4 N/m of 1.7 kN/m.
     check("stiffness", 0.01 / moved, stiffness, 4e-3);
     let large = results(FLEXURE_STAGE, &[]);
     let way = last(&large, "stage.displacement[1]");
@@ -62,17 +67,20 @@ fn flexure_stage_has_stiffness_and_parasitic_motion_of_leaf_springs() {
     check("parasitic motion", sinks, 0.6 * way * way / 0.05, 4e-3);
 }
 
-/// A clamped column that cannot give way: beyond `4π² EI/L²` it takes the length that is too much into its deflection, `2/π √(L ΔL)`, of first
-/// order in the amplitude; the next term is `(π w/(4 L))²`/2, 2e-5. Before, the walls bear all of the heat, `EA α ΔT`.
+/// A clamped column that cannot give way: beyond `4π² EI/L²` it takes the length that is too much into its deflection,
+/// `2/π √(L ΔL)`, of first order in the amplitude; the next term is `(π w/(4 L))²`/2, 2e-5. Before, the walls bear all
+/// of the heat, `EA α ΔT`.
 #[test]
 fn hot_rail_buckles_as_eulers_column() {
     let (young, second, area, length): (f64, f64, f64, f64) = (210e9, 0.02 * 1e-6 / 12.0, 2e-4, 2.0);
     let critical = 4.0 * PI * PI * young * second / (length * length);
     let results = results(HOT_RAIL, &[]);
     let force = column(&results, "wall.reaction_force[1]");
-    // At a tenth of the way, 0.29 of the critical force: the load bends the rail by w = 8.5e-5 m, which takes π² w²/(4 L²) = 4.5e-9 of the strain of 24e-6, 1.9e-4.
+    // At a tenth of the way, 0.29 of the critical force: the load bends the rail by w = 8.5e-5 m, which takes π² w²/(4
+    // L²) = 4.5e-9 of the strain of 24e-6, 1.9e-4.
     check("force of the heat", -force[5], young * area * 12e-6 * 2.0, 2.5e-4);
-    // Past buckling the force is the critical one, less what the load of 0.5 N bends by itself, 0.5 L³/(192 EI) = 6e-5 m of 16 mm: 3.7e-3.
+    // Past buckling the force is the critical one, less what the load of 0.5 N bends by itself, 0.5 L³/(192 EI) = 6e-5
+    // m of 16 mm: 3.7e-3.
     let alone = 0.5 * length.powi(3) / (192.0 * young * second);
     let middle = last(&results, "middle.displacement[3]");
     check("force of the walls", -force[force.len() - 1], critical * (1.0 - alone / middle), 5e-4);
@@ -80,7 +88,8 @@ fn hot_rail_buckles_as_eulers_column() {
     check("deflection", middle, 2.0 / PI * (length * excess).sqrt(), 1e-3);
 }
 
-/// Virtual work: with the foot of a stage pulled in, `F dx = W d(2 h)` for the platform, and `h/2` and `3h/2` for the arms of the stages; `h² = L² − w²`.
+/// Virtual work: with the foot of a stage pulled in, `F dx = W d(2 h)` for the platform, and `h/2` and `3h/2` for the
+/// arms of the stages; `h² = L² − w²`.
 #[test]
 fn scissor_lift_needs_the_force_of_virtual_work() {
     let mut lift = machine_with(SCISSOR_LIFT, &[]);
@@ -93,8 +102,9 @@ fn scissor_lift_needs_the_force_of_virtual_work() {
     check("force of the screw", found.abs(), weight * length * angle.cos() / (length * angle.sin()), 5e-3);
 }
 
-/// Each corner in equilibrium: three families of tendons and the struts as force densities, with springs and struts that give way. Its least energy over
-/// the turn and the height, minimized here by Newton's iteration of two variables, is that of the machine; the bending of the struts is 0.
+/// Each corner in equilibrium: three families of tendons and the struts as force densities, with springs and struts
+/// that give way. Its least energy over the turn and the height, minimized here by Newton's iteration of two variables,
+/// is that of the machine; the bending of the struts is 0.
 #[test]
 fn tensegrity_prism_has_the_least_energy() {
     let (radius, height, turn): (f64, f64, f64) = (0.5, 1.0, 150.0_f64.to_radians());
@@ -138,8 +148,8 @@ fn tensegrity_prism_has_the_least_energy() {
     check("force of a strut", last(&results, "strut.section_force"), force, 1e-3);
 }
 
-/// The formula of wound springs, `G d⁴ δ/(8 D³ n)`; of a thin wire with a slope of 0.098, whose square (1 %) the formula leaves out, as it does
-/// the curvature of the wire, `(d/D)²` of 2 %.
+/// The formula of wound springs, `G d⁴ δ/(8 D³ n)`; of a thin wire with a slope of 0.098, whose square (1 %) the
+/// formula leaves out, as it does the curvature of the wire, `(d/D)²` of 2 %.
 #[test]
 fn valve_spring_has_the_rate_of_wound_springs() {
     let mut spring = machine_with(VALVE_SPRING, &[]);

@@ -24,8 +24,8 @@ fn nearest(found: &[f64], wanted: f64) -> f64 {
     found.iter().copied().min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs())).unwrap()
 }
 
-/// `1/(2 L) √(T/μ)` of a string whose mass per length is that of the stretched wire; bending adds `√(EI/T)/L` twice, 2e-4, as the ends are hinges its
-/// square only: `π² EI/(2 T L²)`, 7e-6.
+/// `1/(2 L) √(T/μ)` of a string whose mass per length is that of the stretched wire; bending adds `√(EI/T)/L` twice,
+/// 2e-4, as the ends are hinges its square only: `π² EI/(2 T L²)`, 7e-6.
 #[test]
 fn guitar_string_has_the_pitch_of_its_tension() {
     let (scale, tension, diameter): (f64, f64, f64) = (0.648, 72.6, 0.254e-3);
@@ -64,19 +64,22 @@ fn engine_has_the_frequencies_of_a_body_on_springs() {
     }
 }
 
-/// `24 EI/L³` on the mass with `13/35` of each leg; the legs' own shape under inertia changes the mode by the square of their share of the mass, 1e-3.
+/// `24 EI/L³` on the mass with `13/35` of each leg; the legs' own shape under inertia changes the mode by the square of
+/// their share of the mass, 1e-3.
 #[test]
 fn resonator_has_the_frequency_of_two_legs() {
     let (length, side): (f64, f64) = (200e-6, 2e-6);
     let stiffness = 24.0 * 169e9 * side.powi(4) / 12.0 / length.powi(3);
     let mass = 5e-11 + 2.0 * 13.0 / 35.0 * 2330.0 * side * side * length;
     let expected = (stiffness / mass).sqrt() / TAU;
-    // The legs also stretch and turn the mass a little; both are softer by 1e-4. Out of the plane they are softer still.
+    // The legs also stretch and turn the mass a little; both are softer by 1e-4. Out of the plane they are softer
+    // still.
     check("frequency", nearest(&frequencies(&mut machine(RESONATOR), 4), expected), expected, 1e-3);
 }
 
-/// The box keeps its direction between two ropes: it swings as a point mass on a string of 16 m; the ropes weigh 1.5 % of it, as a
-/// string with a mass on it swings: `1 + (rope's share)/...` is left out. At rest the trolley is held by its drive.
+/// The box keeps its direction between two ropes: it swings as a point mass on a string of 16 m; the ropes weigh 1.5 %
+/// of it, as a string with a mass on it swings: `1 + (rope's share)/...` is left out. At rest the trolley is held by
+/// its drive.
 #[test]
 fn crane_swings_as_a_pendulum() {
     let mut crane = machine_with(CRANE, &[("wire.density", "1")]);

@@ -1,5 +1,5 @@
-//! Loads, rates and drives in pieces: the times at which pieces meet must be hit, wherever the grid of steps is. A step that runs over such a
-//! time sees a pulse not at all, or as if it lasted the whole step.
+//! Loads, rates and drives in pieces: the times at which pieces meet must be hit, wherever the grid of steps is. A step
+//! that runs over such a time sees a pulse not at all, or as if it lasted the whole step.
 
 use crate::curves::Curves;
 use crate::integrators::setting;
@@ -10,7 +10,8 @@ const BODY: &str =
     "format = 1\n[model]\nname = \"Pulse\"\n[body.b]\nmass = 1.0\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n";
 const RUN: &str = "[output.P]\nat = \"b\"\nquantities = [\"velocity\"]\n[simulation]\nstop = 0.1\nstep = 1e-2\n";
 
-/// A pulse of 1000 N for 1 ms gives 1 kg 1 m/s, wherever it lies in steps of 10 ms: at a round-off of the sums of forces and times.
+/// A pulse of 1000 N for 1 ms gives 1 kg 1 m/s, wherever it lies in steps of 10 ms: at a round-off of the sums of
+/// forces and times.
 #[test]
 fn regression_a_pulse_within_a_step_gives_its_impulse() {
     // Within a step, over its middle, over its end, from its end on.
@@ -62,7 +63,8 @@ fn breaks_on_the_grid_cost_no_steps() {
     assert_eq!(value(&simulation, "statistics.steps"), 10.0);
 }
 
-/// A rate that is not finite at an instant is named, instead of a part of the mechanism that its gap in the equations seems to free.
+/// A rate that is not finite at an instant is named, instead of a part of the mechanism that its gap in the equations
+/// seems to free.
 #[test]
 fn regression_a_rate_without_a_value_is_named() {
     let mut simulation = start(

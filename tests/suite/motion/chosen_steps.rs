@@ -28,8 +28,10 @@ fn error(simulation: &mut Simulation, every: f64) -> f64 {
     0.5 * largest * omega()
 }
 
-/// The error follows the accuracy and is about that. With steps whose error is `(omega h)^3 / 12`, of the amplitude, 1.5e-2 times the accuracy and its root, the error of 5 periods, `7/6 omega t (omega h)^2 / 24` of the
-/// range, is 0.6 of the accuracy; and half as much again because the steps become longer where the third derivative passes through zero.
+/// The error follows the accuracy and is about that. With steps whose error is `(omega h)^3 / 12`, of the amplitude,
+/// 1.5e-2 times the accuracy and its root, the error of 5 periods, `7/6 omega t (omega h)^2 / 24` of the range, is 0.6
+/// of the accuracy; and half as much again because the steps become longer where the third derivative passes through
+/// zero.
 #[test]
 fn the_error_is_the_one_asked_for() {
     let mut steps = Vec::new();
@@ -45,7 +47,8 @@ fn the_error_is_the_one_asked_for() {
     assert!((steps[3] / steps[1] / 10.0 - 1.0).abs() < 0.1, "{steps:?}");
 }
 
-/// A wheel that starts smoothly and turns by 0.6 rad between two rows, more than a step may: steps stay below that instead of being rejected once a row, and the first, tiny energy raises no alarm.
+/// A wheel that starts smoothly and turns by 0.6 rad between two rows, more than a step may: steps stay below that
+/// instead of being rejected once a row, and the first, tiny energy raises no alarm.
 #[test]
 fn wheels_turn_without_rejected_steps() {
     for rate in ["150*smoothstep(0, 0.5, t)", "1200*min(t, 0.5)^3"] {
@@ -72,7 +75,8 @@ fn communication_steps_do_not_matter() {
     }
 }
 
-/// What acts for a ten-thousandth of the time is not stepped over: the momentum is that of the pulse, to round-off of the times.
+/// What acts for a ten-thousandth of the time is not stepped over: the momentum is that of the pulse, to round-off of
+/// the times.
 #[test]
 fn short_pulses_are_hit() {
     let text = "format = 1\n[model]\nname = \"Pulse\"\ngravity = [0, 0, 0]\n[body.b]\nmass = 2\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n\
@@ -85,7 +89,8 @@ fn short_pulses_are_hit() {
     assert!(simulation.state().statistics.steps < 200, "{:?}", simulation.state().statistics);
 }
 
-/// A force that jumps on what has been at rest: the steps that have grown until then do not spoil the first one behind it, whatever the rows.
+/// A force that jumps on what has been at rest: the steps that have grown until then do not spoil the first one behind
+/// it, whatever the rows.
 #[test]
 fn late_jumps_are_resolved() {
     let text = oscillator("")
@@ -103,8 +108,8 @@ fn late_jumps_are_resolved() {
     }
 }
 
-/// The same with an input, which is constant after its one jump; and its derivative is that of the steps that were taken: against a difference, whose steps differ by what the
-/// accuracy allows.
+/// The same with an input, which is constant after its one jump; and its derivative is that of the steps that were
+/// taken: against a difference, whose steps differ by what the accuracy allows.
 #[test]
 fn late_jumps_of_inputs_are_resolved() {
     let text = oscillator("").replace("velocity = [0, 0, 1]\n", "");
@@ -173,7 +178,8 @@ fn a_tolerance_is_the_accuracy() {
     assert_eq!(simulation.set_tolerance(1e-5), None);
 }
 
-/// A run whose results are off by more than a reader expects names the accuracy, not a step that the file does not have.
+/// A run whose results are off by more than a reader expects names the accuracy, not a step that the file does not
+/// have.
 #[test]
 fn inexact_results_ask_for_another_accuracy() {
     let mut simulation = start(&oscillator("accuracy = 0.05"));

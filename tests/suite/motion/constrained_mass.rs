@@ -1,5 +1,6 @@
-//! Velocities that the constraints allow come from what conditions see of the mass matrix: the solutions are those of the whole linear system, on every model and at
-//! random states of it. Where conditions depend on each other there is none, and the solver must say so instead of giving one of many.
+//! Velocities that the constraints allow come from what conditions see of the mass matrix: the solutions are those of
+//! the whole linear system, on every model and at random states of it. Where conditions depend on each other there is
+//! none, and the solver must say so instead of giving one of many.
 
 use crate::motion::direct_solver::machines;
 use crate::random::Random;
@@ -82,7 +83,8 @@ fn solutions_are_those_of_the_whole_system() {
     }
 }
 
-/// The frames that joints depend on are all that gradients and rates of conditions see: at nodes, and inside elements, where a section turns with the nodes of both ends.
+/// The frames that joints depend on are all that gradients and rates of conditions see: at nodes, and inside elements,
+/// where a section turns with the nodes of both ends.
 #[test]
 fn conditions_depend_on_the_frames_of_their_nodes_alone() {
     let mut builder = SystemBuilder::new(0.0);

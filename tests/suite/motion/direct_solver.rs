@@ -1,4 +1,5 @@
-//! The solver that goes front by front gives the solutions of the general sparse LU, on every model and at random states of it.
+//! The solver that goes front by front gives the solutions of the general sparse LU, on every model and at random
+//! states of it.
 
 use crate::random::Random;
 use ancf14::math::blocks::{Block, Blocks};
@@ -38,7 +39,8 @@ fn built(text: &str, overrides: &[(String, String)]) -> Built {
     builder::build(&document, 0.0).unwrap_or_else(|mistakes| panic!("{mistakes}"))
 }
 
-/// Sets the matrix of a step of `step` s (0: of an equilibrium) at `state`, with the forces `multipliers` in the joints.
+/// Sets the matrix of a step of `step` s (0: of an equilibrium) at `state`, with the forces `multipliers` in the
+/// joints.
 pub fn set_matrix(kkt: &mut Kkt, system: &System, state: &State, step: f64, multipliers: &[f64]) {
     let mut snapshot = FrameCache::default();
     let configuration = snapshot.of(system, state);
@@ -109,8 +111,9 @@ fn assert_own_solution(random: &mut Random, system: &System, state: &State, kkt:
     assert!(worst < 1e-8, "{worst:.1e}");
 }
 
-/// Rods with a ball joint at each end turn about themselves: all their conditions together, twelve on twelve coordinates, have no pivot, so that one of the
-/// joints has to go with what is at its other side. In a ring of them too.
+/// Rods with a ball joint at each end turn about themselves: all their conditions together, twelve on twelve
+/// coordinates, have no pivot, so that one of the joints has to go with what is at its other side. In a ring of them
+/// too.
 #[test]
 fn rods_between_ball_joints() {
     let mut random = Random(4);
@@ -146,8 +149,9 @@ fn rods_between_ball_joints() {
     }
 }
 
-/// A hundred weights at the tip of a beam: with their masses each is eliminated by itself, and a front stays as small as for one of them. Without, a weight
-/// has pivots only when the tip is gone, and all would be one dense matrix: that is for the general solver.
+/// A hundred weights at the tip of a beam: with their masses each is eliminated by itself, and a front stays as small
+/// as for one of them. Without, a weight has pivots only when the tip is gone, and all would be one dense matrix: that
+/// is for the general solver.
 #[test]
 fn many_bodies_on_one_node() {
     let mut random = Random(3);
@@ -172,7 +176,8 @@ fn many_bodies_on_one_node() {
     }
 }
 
-/// Without masses a machine that can move has no solution, and one whose conditions hold twice has too many: the general solver says which.
+/// Without masses a machine that can move has no solution, and one whose conditions hold twice has too many: the
+/// general solver says which.
 #[test]
 fn what_is_singular_falls_back() {
     let Built { system, state } = built(include_str!("../../../models/pendulum.toml"), &[]);
@@ -184,10 +189,12 @@ fn what_is_singular_falls_back() {
     assert!(kkt.fallbacks() > 0);
 }
 
-/// A condition more that says what others say already makes any machine singular, to the last bit or to round-off. Pivots are not exchanged across fronts,
-/// so that this is hard to see for them: a solver that trusts them accepts machines that are held twice, with reactions of any size.
-/// Each machine has random numbers of its own, which do not depend on the other models. Of 9,360 such matrices, one is taken for regular: the null vector that was found leaves
-/// 1.1e-15 of its terms, where the limit is 1e-15 (`ROUND_OFF`); the softest cantilever that can still be solved leaves 3.2e-15.
+/// A condition more that says what others say already makes any machine singular, to the last bit or to round-off.
+/// Pivots are not exchanged across fronts, so that this is hard to see for them: a solver that trusts them accepts
+/// machines that are held twice, with reactions of any size. Each machine has random numbers of its own, which do not
+/// depend on the other models. Of 9,360 such matrices, one is taken for regular: the null vector that was found leaves
+/// 1.1e-15 of its terms, where the limit is 1e-15 (`ROUND_OFF`); the softest cantilever that can still be solved leaves
+/// 3.2e-15.
 #[test]
 fn what_holds_twice_is_never_regular() {
     let (mut asked, mut solved) = (0, 0);
@@ -237,7 +244,8 @@ fn what_holds_twice_is_never_regular() {
     assert!(asked > 50 && solved > 20, "{asked} asked, {solved} factorized");
 }
 
-/// A chain of masses in closed form: springs of 1 between neighbors and to the ground, the first and last tied together by a condition of its own.
+/// A chain of masses in closed form: springs of 1 between neighbors and to the ground, the first and last tied together
+/// by a condition of its own.
 #[test]
 fn a_ring_of_blocks() {
     let (count, width) = (9, 2);
@@ -296,8 +304,9 @@ fn transposed(blocks: &Blocks) -> Blocks {
     turned
 }
 
-/// Solutions with the transposed matrix, on every model: the product of `Aᵀ` with them is the right side, front by front as by the general solver. Follower loads, dampers and gears make
-/// the matrices unsymmetric, and where they are not, the multipliers' rows are still exchanged.
+/// Solutions with the transposed matrix, on every model: the product of `Aᵀ` with them is the right side, front by
+/// front as by the general solver. Follower loads, dampers and gears make the matrices unsymmetric, and where they are
+/// not, the multipliers' rows are still exchanged.
 #[test]
 fn transposed_matrices_are_solved_with() {
     let mut random = Random(11);

@@ -1,7 +1,9 @@
-//! Reactions and efforts of parts that are far stiffer than steps resolve, where frames and drives move them with jerk. Newton's law gives them: `F = m a`.
+//! Reactions and efforts of parts that are far stiffer than steps resolve, where frames and drives move them with jerk.
+//! Newton's law gives them: `F = m a`.
 //!
-//! The numerical dissipation must not see rigid or driven motion. One that used the velocities at the start of a step as they were held the nodes of a stiff part back by 1e-11 m, which the
-//! stiffness turned into forces: they grew with Young's modulus and with the mesh, to 14 % of `m a` for a wire of 48 elements.
+//! The numerical dissipation must not see rigid or driven motion. One that used the velocities at the start of a step
+//! as they were held the nodes of a stiff part back by 1e-11 m, which the stiffness turned into forces: they grew with
+//! Young's modulus and with the mesh, to 14 % of `m a` for a wire of 48 elements.
 
 use ancf14_testing::curves::Curves;
 use std::f64::consts::PI;
@@ -33,12 +35,14 @@ fn mass(radius: f64) -> f64 {
     DENSITY * PI * radius * radius * LENGTH
 }
 
-/// What round-off of positions of `reach` m does to the axial force of an element, N: twice the last digit of both ends, over its length.
+/// What round-off of positions of `reach` m does to the axial force of an element, N: twice the last digit of both
+/// ends, over its length.
 fn round_off(radius: f64, young: f64, elements: usize, reach: f64) -> f64 {
     young * PI * radius * radius * 4.0 * f64::EPSILON * reach / (LENGTH / elements as f64)
 }
 
-/// What steps may leave of the axial force of an element, N: a refinement of 1e-12 m and less is taken for round-off, at both ends, and what alternates of it loses a tenth a step: ten of them add up.
+/// What steps may leave of the axial force of an element, N: a refinement of 1e-12 m and less is taken for round-off,
+/// at both ends, and what alternates of it loses a tenth a step: ten of them add up.
 fn left(radius: f64, young: f64, elements: usize) -> f64 {
     young * PI * radius * radius * 2e-11 / (LENGTH / elements as f64)
 }
@@ -67,7 +71,8 @@ fn each(mut check: impl FnMut(f64, usize, &str)) {
     }
 }
 
-/// Checks that `column` of `text` is `moved`, kg, times the acceleration of a way `0.2 t³/6` of the wire: steps of second order have no error of their own then.
+/// Checks that `column` of `text` is `moved`, kg, times the acceleration of a way `0.2 t³/6` of the wire: steps of
+/// second order have no error of their own then.
 fn assert_pushes(text: &str, column: &str, moved: f64) {
     each(|young, elements, integrator| {
         for (time, found) in rows(text, young, elements, integrator, &[column]) {
@@ -110,8 +115,10 @@ fn efforts_accelerate_what_they_drive() {
     assert_pushes(&text, "seen.effort", 2.0 * carried);
 }
 
-/// A frame shakes the wire. Strains whose means over steps balance the changes of the velocities are off by the share `(1/6 + chi) (ω h)²`, whatever the mesh and the modulus are. The wire itself is off
-/// by `(ω L/c)²/3`, with the speed of sound `c`. The dissipation sees `(ω h/2)³` of the false rates at the driven node, whose velocity is `h²/12` of the jerk apart from the next one's.
+/// A frame shakes the wire. Strains whose means over steps balance the changes of the velocities are off by the share
+/// `(1/6 + chi) (ω h)²`, whatever the mesh and the modulus are. The wire itself is off by `(ω L/c)²/3`, with the speed
+/// of sound `c`. The dissipation sees `(ω h/2)³` of the false rates at the driven node, whose velocity is `h²/12` of
+/// the jerk apart from the next one's.
 #[test]
 fn shaken_bars_need_their_mass_times_their_acceleration() {
     let (radius, frequency) = (THIN, 20.0);
@@ -144,8 +151,10 @@ fn shaken_bars_need_their_mass_times_their_acceleration() {
     });
 }
 
-/// A frame turns a thick bar about its end with a growing acceleration: the weld bears the centripetal force `m ω² L/2` and the transverse one `m α L/2`, in axes that turn along. Positions and
-/// velocities at the ends of steps, of which the velocities of rigid turns are off by `(ω h)²/12`, make this a geometry that a dissipation with velocities takes for stretching.
+/// A frame turns a thick bar about its end with a growing acceleration: the weld bears the centripetal force `m ω² L/2`
+/// and the transverse one `m α L/2`, in axes that turn along. Positions and velocities at the ends of steps, of which
+/// the velocities of rigid turns are off by `(ω h)²/12`, make this a geometry that a dissipation with velocities takes
+/// for stretching.
 #[test]
 fn turned_bars_need_centripetal_forces() {
     let radius = 0.02;

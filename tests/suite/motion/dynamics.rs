@@ -21,7 +21,8 @@ use ancf14::solve::step::integrator::Integrator;
 /// Without numerical dissipation, and with that of the default.
 const RADII: [f64; 2] = [1.0, 0.9];
 
-/// A soft free beam that tumbles and spins about itself, with a spin inertia large enough for the gyroscopic terms to matter.
+/// A soft free beam that tumbles and spins about itself, with a spin inertia large enough for the gyroscopic terms to
+/// matter.
 pub fn spinning() -> (System, State) {
     free(&spinning_design())
 }
@@ -45,8 +46,8 @@ pub fn spinning_design() -> BeamDesign {
     }
 }
 
-/// A free beam keeps its momenta; by the exact rotational invariance of the element the integrators do so to round-off, but only
-/// with both gyroscopic terms: with either of them removed Newton fails within a few steps.
+/// A free beam keeps its momenta; by the exact rotational invariance of the element the integrators do so to round-off,
+/// but only with both gyroscopic terms: with either of them removed Newton fails within a few steps.
 #[test]
 fn free_spinning_beam_keeps_momentum_and_energy() {
     for (radius, twist) in RADII.into_iter().flat_map(|r| [Twist::Linear, Twist::Quadratic].map(|twist| (r, twist))) {
@@ -67,14 +68,16 @@ fn free_spinning_beam_keeps_momentum_and_energy() {
         println!("linear {:.1e}, angular {:.1e}, energy band {:.1e}", drift[0], drift[1], (high - low) / low);
         println!("  {:?}", state.statistics);
         assert!(drift[0] < 1e-10 && drift[1] < 1e-10, "{drift:?}");
-        // Of second order in the step without dissipation; with it what the step does not resolve is lost, and nothing gained.
+        // Of second order in the step without dissipation; with it what the step does not resolve is lost, and nothing
+        // gained.
         let gained = high / start_energy - 1.0;
         assert!(if radius == 1.0 { (high - low) / low < 1e-3 } else { gained < 1e-6 && (high - low) / low < 1e-2 });
     }
 }
 
-/// A beam that turns keeps its length: a beam of 8 m, hinged at one end and spinning at 4 rad/s, stretches by `rho w^2 L^3 / 3 E`
-/// in the mean. The plain midpoint rule adds `(w h)^2 / 8` of false strain, 4e-4 m at h = 5e-3 s, and more than that at 2e-2 s.
+/// A beam that turns keeps its length: a beam of 8 m, hinged at one end and spinning at 4 rad/s, stretches by
+/// `rho w^2 L^3 / 3 E` in the mean. The plain midpoint rule adds `(w h)^2 / 8` of false strain, 4e-4 m at h = 5e-3 s,
+/// and more than that at 2e-2 s.
 #[test]
 fn spinning_beam_shows_no_false_extension() {
     let (rate, length) = (4.0, 8.0);
@@ -99,13 +102,14 @@ fn spinning_beam_shows_no_false_extension() {
         let expected = base.material.density * rate * rate * length.powi(3) / (3.0 * base.material.young);
         let mean = sum / number;
         println!("h = {step}: extension {mean:.4e}, true {expected:.4e}");
-        // The start excites axial vibration of the same size, which is not damped: its mean over the run is known to some tenths of a percent.
+        // The start excites axial vibration of the same size, which is not damped: its mean over the run is known to
+        // some tenths of a percent.
         assert!((mean / expected - 1.0).abs() < 5e-3, "{mean:e}");
     }
 }
 
-/// The tumbling beam of MECHANICS 7.6: 60 rad/s, EA = 1e7 N, h = 2e-3 s. The plain midpoint rule fails within 0.1 s; with the mean strains of both ends
-/// the energy stays.
+/// The tumbling beam of MECHANICS 7.6: 60 rad/s, EA = 1e7 N, h = 2e-3 s. The plain midpoint rule fails within 0.1 s;
+/// with the mean strains of both ends the energy stays.
 #[test]
 fn tumbling_beam_keeps_its_energy() {
     let section = Section::rectangle(0.01, 0.01);
@@ -122,8 +126,8 @@ fn tumbling_beam_keeps_its_energy() {
     assert!((high - low) / low < 1e-5);
 }
 
-/// The taut string of MECHANICS 7.6: 4 elements stretched by 1e-2, plucked, h = 1e-2 s. An axial rule whose geometric stiffness acts
-/// explicitly blows up here within some periods.
+/// The taut string of MECHANICS 7.6: 4 elements stretched by 1e-2, plucked, h = 1e-2 s. An axial rule whose geometric
+/// stiffness acts explicitly blows up here within some periods.
 #[test]
 fn taut_string_stays_bounded() {
     let section = Section::circle(1e-3);
@@ -179,14 +183,15 @@ fn order_two_in_the_step() {
         let (coarse, fine) = (error(1e-3), error(5e-4));
         let order = (coarse / fine).log2();
         println!("{radius}: errors {coarse:.2e}, {fine:.2e}, order {order:.3}");
-        // Against a reference of 8 times the finer step the ratio is (256 - 1)/(64 - 1) = 4.05, and the next order, of which the numerical
-        // dissipation is, counts a little.
+        // Against a reference of 8 times the finer step the ratio is (256 - 1)/(64 - 1) = 4.05, and the next order, of
+        // which the numerical dissipation is, counts a little.
         assert!((order - 2.0).abs() < 0.15);
     }
 }
 
-/// Long steps and short ones in turn, down to a hundredth, as hosts and pieces of loads make them: what is far too fast for the long ones must not be fed by the jump of
-/// the step's length. Dissipation that takes the changes of the last step in proportion to the step's length multiplies it with every pair of steps.
+/// Long steps and short ones in turn, down to a hundredth, as hosts and pieces of loads make them: what is far too fast
+/// for the long ones must not be fed by the jump of the step's length. Dissipation that takes the changes of the last
+/// step in proportion to the step's length multiplies it with every pair of steps.
 #[test]
 fn steps_of_different_lengths_feed_nothing() {
     let (system, drawn) = spinning();

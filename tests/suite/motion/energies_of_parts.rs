@@ -1,13 +1,14 @@
-//! Is the energy of the mechanism the sum of the energies of its parts? Every joule of the totals belongs to one beam, body, spring, stop or joint. A part that is left out, counted
-//! twice, or measured from another origin opens the sum.
+//! Is the energy of the mechanism the sum of the energies of its parts? Every joule of the totals belongs to one beam,
+//! body, spring, stop or joint. A part that is left out, counted twice, or measured from another origin opens the sum.
 //!
-//! Tolerance: the sums have the same terms in another order, at most some hundred, of which each rounds by 1e-16; 1e-12 of the sum of their sizes is far above that, and far below the
-//! smallest part.
+//! Tolerance: the sums have the same terms in another order, at most some hundred, of which each rounds by 1e-16; 1e-12
+//! of the sum of their sizes is far above that, and far below the smallest part.
 
 use crate::running::{run, start, value};
 use ancf14::model::simulation::Simulation;
 
-/// A mast on a bushing carries an arm on a sprung hinge, with a bob on a rope, a spring with a law and a stop, all in motion; drawn at `x`.
+/// A mast on a bushing carries an arm on a sprung hinge, with a bob on a rope, a spring with a law and a stop, all in
+/// motion; drawn at `x`.
 fn mechanism(x: f64) -> String {
     format!(
         r#"format = 1
@@ -155,7 +156,8 @@ fn energies_of_parts_add_up() {
     }
 }
 
-/// The example of docs/model-file.md: the absorber takes most of the energy of the kick, and its rail stores a part of it; the three parts are all that there is.
+/// The example of docs/model-file.md: the absorber takes most of the energy of the kick, and its rail stores a part of
+/// it; the three parts are all that there is.
 #[test]
 fn the_example_of_the_page_adds_up() {
     let page = include_str!("../../../docs/model-file.md");

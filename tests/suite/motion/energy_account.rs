@@ -1,12 +1,14 @@
-//! Does the account of energy close, and has each part of it the work that belongs there? The energy may change only by the work of loads, actuators and drives, by what dampers
-//! take, and by the drift. A part that is left out or counted twice opens the account; a part in a wrong column is at odds with a closed form.
+//! Does the account of energy close, and has each part of it the work that belongs there? The energy may change only by
+//! the work of loads, actuators and drives, by what dampers take, and by the drift. A part that is left out or counted
+//! twice opens the account; a part in a wrong column is at odds with a closed form.
 
 use crate::running::{run, start, value};
 use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
 
-/// A damped arm that a drive swings under gravity, with a follower load at its end. On it hangs a body by a hinge with a motor, friction, a stop and a damper; a moving frame
-/// pulls that body by a spring and a damper, a rope holds it, and a law with a rate acts on the hinge.
+/// A damped arm that a drive swings under gravity, with a follower load at its end. On it hangs a body by a hinge with
+/// a motor, friction, a stop and a damper; a moving frame pulls that body by a spring and a damper, a rope holds it,
+/// and a law with a rate acts on the hinge.
 const ALL: &str = r#"format = 1
 model.name = "All"
 model.gravity = [0, 0, -9.81]
@@ -102,7 +104,8 @@ fn account(simulation: &Simulation) -> [f64; 5] {
     COLUMNS.map(|name| value(simulation, name))
 }
 
-/// By how much the account is open at the worst row, of the sum of all changes of its columns; and the account at the end.
+/// By how much the account is open at the worst row, of the sum of all changes of its columns; and the account at the
+/// end.
 fn open(text: &str, every: f64, stop: f64) -> (f64, [f64; 5]) {
     let mut simulation = start(text);
     let first = value(&simulation, "energy.total");
@@ -119,9 +122,10 @@ fn open(text: &str, every: f64, stop: f64) -> (f64, [f64; 5]) {
     (worst, before)
 }
 
-/// With everything acting, the account closes to 1e-12 of what has passed through it: round-off. All columns but the drift have a part in it. The drift, which closes the account, is small: 1.4e-7 of
-/// their sum for the midpoint rule without dissipation, 7e-7 with it, 4e-4 with steps of 4 ms, 6e-5 for generalized-alpha, whose powers are those of instants. A part that is missing would be
-/// 2 % and more.
+/// With everything acting, the account closes to 1e-12 of what has passed through it: round-off. All columns but the
+/// drift have a part in it. The drift, which closes the account, is small: 1.4e-7 of their sum for the midpoint rule
+/// without dissipation, 7e-7 with it, 4e-4 with steps of 4 ms, 6e-5 for generalized-alpha, whose powers are those of
+/// instants. A part that is missing would be 2 % and more.
 #[test]
 fn the_account_closes_with_everything_acting() {
     for (simulation, drift) in [
@@ -152,7 +156,8 @@ fn rotor(spin: f64, more: &str, simulation: &str) -> String {
 
 const INERTIA: f64 = 0.04;
 
-/// Closed forms, each with one thing acting: the work is in its column and in no other. Steps of 1 ms leave 1e-4 of the relative work where rates change within a step.
+/// Closed forms, each with one thing acting: the work is in its column and in no other. Steps of 1 ms leave 1e-4 of the
+/// relative work where rates change within a step.
 #[test]
 fn work_is_in_the_column_of_its_origin() {
     let on = "joint = \"axle\"\ncoordinate = \"angle\"\n";
@@ -183,7 +188,8 @@ fn work_is_in_the_column_of_its_origin() {
     }
 }
 
-/// A frame that moves at a constant speed pulls a body by a damper alone: the work of the frame is the force times its speed, and half of it becomes kinetic energy in the end.
+/// A frame that moves at a constant speed pulls a body by a damper alone: the work of the frame is the force times its
+/// speed, and half of it becomes kinetic energy in the end.
 #[test]
 fn a_frame_works_through_a_damper() {
     // m v' = c (V - v): the force is c V exp(-c t/m).
@@ -216,8 +222,9 @@ fn a_jump_of_a_drive_is_its_work() {
     }
 }
 
-/// The drift is what numerical dissipation takes: an undamped rod whose waves the steps do not resolve loses energy to nothing else. Without dissipation, the error of the rule itself is left, 1e-8
-/// of the energy: it falls with the cube of the step, and with the square of the motion.
+/// The drift is what numerical dissipation takes: an undamped rod whose waves the steps do not resolve loses energy to
+/// nothing else. Without dissipation, the error of the rule itself is left, 1e-8 of the energy: it falls with the cube
+/// of the step, and with the square of the motion.
 #[test]
 fn the_drift_is_what_the_integrator_takes() {
     let rod = |radius: f64| {

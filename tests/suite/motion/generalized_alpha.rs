@@ -1,6 +1,6 @@
-//! Generalized-alpha must be of order 2, hold position constraints to round-off, damp what the step does not resolve as its spectral
-//! radius says and nothing else, and agree with the midpoint rule where both are accurate. A missing or wrong force, and weights that
-//! are off, show in one of these; wrong derivatives in generalized_alpha_steps.rs.
+//! Generalized-alpha must be of order 2, hold position constraints to round-off, damp what the step does not resolve as
+//! its spectral radius says and nothing else, and agree with the midpoint rule where both are accurate. A missing or
+//! wrong force, and weights that are off, show in one of these; wrong derivatives in generalized_alpha_steps.rs.
 
 use crate::joints::joints_in_motion;
 use crate::motion::dynamics::spinning;
@@ -47,8 +47,8 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     places.fold(0.0, |largest, (_, (a, b))| largest.max((a - b).abs()))
 }
 
-/// The beam of `spinning`, spun up by a moment that turns with it: where the spin accelerates while the tangent turns, the chart's
-/// own force counts.
+/// The beam of `spinning`, spun up by a moment that turns with it: where the spin accelerates while the tangent turns,
+/// the chart's own force counts.
 fn spun_up() -> (System, State) {
     let section = Section {
         polar_moment: 4e-4,
@@ -83,8 +83,8 @@ fn spun_up() -> (System, State) {
     builder.finish(Vec3::zeros())
 }
 
-/// Halving the step divides the error by four, against the midpoint rule at a fine step. Without the chart's own force the order
-/// is 1 where the spin accelerates, and the error 20 to 200 times larger.
+/// Halving the step divides the error by four, against the midpoint rule at a fine step. Without the chart's own force
+/// the order is 1 where the spin accelerates, and the error 20 to 200 times larger.
 #[test]
 fn order_two_in_the_step() {
     for (name, (system, drawn), coarsest) in [("free", spinning(), 1e-3), ("spun up", spun_up(), 2e-3)] {
@@ -100,14 +100,15 @@ fn order_two_in_the_step() {
             let errors = [coarsest, 0.5 * coarsest, 0.25 * coarsest].map(error);
             let order = 0.5 * (errors[0] / errors[2]).log2();
             println!("{name}, {radius}: errors {errors:?}, order {order:.3}");
-            // Axial vibrations of the beam, which these steps do not resolve, and the reference's own error count a little.
+            // Axial vibrations of the beam, which these steps do not resolve, and the reference's own error count a
+            // little.
             assert!((order - 2.0).abs() < 0.2, "{name}, {radius}: {order}");
         }
     }
 }
 
-/// The free spinning beam of MECHANICS 7.3: linear momentum is exact, angular momentum and energy are lost as the table there says.
-/// Newton takes 3 iterations a step, with the tangent of the gyroscopic force only.
+/// The free spinning beam of MECHANICS 7.3: linear momentum is exact, angular momentum and energy are lost as the table
+/// there says. Newton takes 3 iterations a step, with the tangent of the gyroscopic force only.
 #[test]
 fn free_spinning_beam() {
     for (radius, step, energy, angular) in
@@ -164,7 +165,8 @@ fn joints_hold() {
     }
 }
 
-/// One step of an undamped vibration by `x, h x', h² a`, from the definition; `speed` is the angular frequency times the step.
+/// One step of an undamped vibration by `x, h x', h² a`, from the definition; `speed` is the angular frequency times
+/// the step.
 fn amplification(radius: f64, speed: f64) -> Matrix3<f64> {
     let (alpha_m, alpha_f) = ((2.0 * radius - 1.0) / (radius + 1.0), radius / (radius + 1.0));
     let gamma = 0.5 + alpha_f - alpha_m;
@@ -190,9 +192,9 @@ fn amplification(radius: f64, speed: f64) -> Matrix3<f64> {
     )
 }
 
-/// A bar of one element, held at one end, vibrates along itself in its slowest mode: tip, root's and tip's slope. The energy of a
-/// small strain is quadratic in them: every step is that of one linear vibration, at any ratio of step and period. Far beyond the
-/// step the amplitude falls by the spectral radius a step.
+/// A bar of one element, held at one end, vibrates along itself in its slowest mode: tip, root's and tip's slope. The
+/// energy of a small strain is quadratic in them: every step is that of one linear vibration, at any ratio of step and
+/// period. Far beyond the step the amplitude falls by the spectral radius a step.
 #[test]
 fn axial_vibration_is_damped_as_theory_says() {
     const MODE: [usize; 3] = [3, 7, 10];
@@ -243,7 +245,8 @@ fn axial_vibration_is_damped_as_theory_says() {
             // Round-off of a length of 1 m.
             assert!(error < 1e-14, "{radius}, {speed}: {error:e} m");
             if speed == 1e3 {
-                // Three like eigenvalues far beyond the step: `n²` counts too in the power of the matrix, and its square in the energy.
+                // Three like eigenvalues far beyond the step: `n²` counts too in the power of the matrix, and its
+                // square in the energy.
                 assert!((found - radius).abs() < 0.015, "{radius}: {found}");
                 // What round-off of the length stretches, a unit of it, beside the velocity at the start.
                 let round_off = (f64::EPSILON * speed / 1e-3).powi(2);
@@ -310,8 +313,8 @@ pub fn joint(
     [a, b]
 }
 
-/// With the step, the difference to the midpoint rule goes to zero, as its square; so do those of the multipliers from the
-/// response of the instant.
+/// With the step, the difference to the midpoint rule goes to zero, as its square; so do those of the multipliers from
+/// the response of the instant.
 #[test]
 fn double_pendulum_agrees_with_the_midpoint_rule() {
     let difference = |step: f64| {
@@ -412,7 +415,8 @@ fn driven_hinge_follows_exactly() {
     assert!(rate_gap < 0.05, "{rate_gap:e}");
 }
 
-/// The logarithmic decrement of a cantilever with damped material that is released, by generalized-alpha or the midpoint rule.
+/// The logarithmic decrement of a cantilever with damped material that is released, by generalized-alpha or the
+/// midpoint rule.
 fn decrement(radius: Option<f64>, ratio: f64) -> f64 {
     let base = design("beam", 4);
     let (material, section) = (base.material, base.section);
@@ -436,7 +440,8 @@ fn decrement(radius: Option<f64>, ratio: f64) -> f64 {
     2.0 * (swings[0] / swings[swings.len() - 1]).ln() / half_periods
 }
 
-/// A damped cantilever decays as the damping of its material says, whatever the numerical damping: by `2 pi D/sqrt(1 − D²)` a period.
+/// A damped cantilever decays as the damping of its material says, whatever the numerical damping: by
+/// `2 pi D/sqrt(1 − D²)` a period.
 #[test]
 fn damped_cantilever_decays() {
     let ratio = 0.02_f64;

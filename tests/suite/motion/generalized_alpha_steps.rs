@@ -1,5 +1,6 @@
-//! A step of generalized-alpha: its tangent is exact, so that Newton converges quadratically, but for what the damping of the material has while elements are deformed; refused steps leave the state as it was;
-//! the state has all that the next step needs; a step costs no memory.
+//! A step of generalized-alpha: its tangent is exact, so that Newton converges quadratically, but for what the damping
+//! of the material has while elements are deformed; refused steps leave the state as it was; the state has all that the
+//! next step needs; a step costs no memory.
 
 use crate::motion::generalized_alpha::{joint, turning};
 use crate::support::allocations::count;
@@ -32,8 +33,8 @@ use ancf14::solve::step::integrator::{Integrator, MOST_HALVINGS, grid_step};
 use ancf14::solve::step::limits;
 use std::sync::Arc;
 
-/// A machine with everything: a spinning beam with the `damping` of its material (s) on a moving frame, a body at its end, a driven hinge, a spring with a damper,
-/// a load that turns with the section.
+/// A machine with everything: a spinning beam with the `damping` of its material (s) on a moving frame, a body at its
+/// end, a driven hinge, a spring with a damper, a load that turns with the section.
 fn everything(damping: f64) -> (System, State) {
     let mut builder = SystemBuilder::default();
     let pose = Pose { place: Vec3::zeros(), axes: Mat3::identity() };
@@ -100,8 +101,8 @@ fn moving(tolerance: f64) -> (System, State, GeneralizedAlpha) {
     moving_with(2e-3, tolerance)
 }
 
-/// Each correction is of the size of the last one's square: measured 0.9 to 11 times it. A term that the tangent misses leaves a
-/// constant share instead, of 1e-4 and more.
+/// Each correction is of the size of the last one's square: measured 0.9 to 11 times it. A term that the tangent misses
+/// leaves a constant share instead, of 1e-4 and more.
 #[test]
 fn newton_is_quadratic() {
     let (system, mut state, mut integrator) = moving_with(0.0, 1e-9);
@@ -133,8 +134,10 @@ fn turning_strip(damping: f64, turn: f64) -> (System, State) {
     builder.finish(Vec3::zeros())
 }
 
-/// Newton's matrix leaves out what the damping of the material changes by as elements are deformed, but not what it changes by as they turn: a strip that is bent much less than it turns, 0.05 rad a step,
-/// takes as many iterations with damping as without. Without the turn of the matrix, corrections would shrink by a part of the turn only, and most steps take one iteration more.
+/// Newton's matrix leaves out what the damping of the material changes by as elements are deformed, but not what it
+/// changes by as they turn: a strip that is bent much less than it turns, 0.05 rad a step, takes as many iterations
+/// with damping as without. Without the turn of the matrix, corrections would shrink by a part of the turn only, and
+/// most steps take one iteration more.
 #[test]
 fn damped_strips_that_turn_take_no_more_iterations() {
     let totals = [0.0, 1e-4, 1e-3, 1e-2].map(|damping| {
@@ -151,7 +154,8 @@ fn damped_strips_that_turn_take_no_more_iterations() {
     assert!(totals.iter().all(|total| *total <= totals[0] + 2), "{totals:?}");
 }
 
-/// A strongly damped beam that a step of 10 ms deforms a lot: with the matrix of the iteration Newton does not converge within its limit, and the exact one takes over.
+/// A strongly damped beam that a step of 10 ms deforms a lot: with the matrix of the iteration Newton does not converge
+/// within its limit, and the exact one takes over.
 #[test]
 fn steps_that_the_fast_matrix_does_not_solve_are_taken_with_the_exact_one() {
     let (system, mut state, mut integrator) = moving_with(1e-2, 1e-9);

@@ -1,4 +1,6 @@
-//! A step of the midpoint integrator: a rejected one leaves the state as it was, however late it is rejected; a step costs no memory; what borrows the integrator's memory between steps changes none; a step ends where refinements fail, and at round-off.
+//! A step of the midpoint integrator: a rejected one leaves the state as it was, however late it is rejected; a step
+//! costs no memory; what borrows the integrator's memory between steps changes none; a step ends where refinements
+//! fail, and at round-off.
 
 use crate::motion::generalized_alpha::joint;
 use crate::running::start as begin;
@@ -26,8 +28,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 const STEP: f64 = 1e-3;
 
-/// A beam on a hinge that turns faster and faster, as its motion begins. While `is_broken`, the rate of the drive is not a number: of a step, that counts after
-/// all else has been found.
+/// A beam on a hinge that turns faster and faster, as its motion begins. While `is_broken`, the rate of the drive is
+/// not a number: of a step, that counts after all else has been found.
 fn driven(is_broken: &Arc<AtomicBool>) -> (System, State, Midpoint) {
     let mut builder = SystemBuilder::default();
     let mut beam = design("beam", 3);
@@ -49,8 +51,8 @@ fn driven(is_broken: &Arc<AtomicBool>) -> (System, State, Midpoint) {
     (system, state, integrator)
 }
 
-/// The error of the steps has been carried over the step before its velocities are projected, where it is rejected: from the first step on, also where the error is cleared of what
-/// no step resolves (every fourth one).
+/// The error of the steps has been carried over the step before its velocities are projected, where it is rejected:
+/// from the first step on, also where the error is cleared of what no step resolves (every fourth one).
 #[test]
 fn steps_rejected_at_their_end_leave_no_trace() {
     let is_broken = Arc::new(AtomicBool::new(false));
@@ -102,8 +104,9 @@ fn memory_lent_between_steps_changes_no_step() {
     }
 }
 
-/// Three masses between springs that differ by a factor of 4e7, with steps far too long for two of them: corrections do not shrink as their ratio promises, refinements fail, and the iteration that starts anew must still
-/// end: each step takes a few iterations.
+/// Three masses between springs that differ by a factor of 4e7, with steps far too long for two of them: corrections do
+/// not shrink as their ratio promises, refinements fail, and the iteration that starts anew must still end: each step
+/// takes a few iterations.
 #[test]
 fn steps_end_where_refinements_fail() {
     let masses: String = [5.88e8, 15.9, 96700.0]
@@ -132,7 +135,8 @@ fn steps_end_where_refinements_fail() {
     assert!(statistics.iterations <= 3 * statistics.steps, "{statistics:?}");
 }
 
-/// A tolerance below round-off: refinements no longer shrink, and are as small as they get. With round-off taken to be 1e-14, 30 steps of the shaft were rejected.
+/// A tolerance below round-off: refinements no longer shrink, and are as small as they get. With round-off taken to be
+/// 1e-14, 30 steps of the shaft were rejected.
 #[test]
 fn steps_end_at_round_off() {
     let shaft = include_str!("../../../models/rotating_shaft.toml");

@@ -1,5 +1,6 @@
-//! Damping ratios of natural modes: those of one mass on a damper, of beams whose material asks for them, and the decay of a run in time. A damper that is left out, a
-//! factor 2, or damping in proportion to mass that is thought to act on bodies too each shows in one of these.
+//! Damping ratios of natural modes: those of one mass on a damper, of beams whose material asks for them, and the decay
+//! of a run in time. A damper that is left out, a factor 2, or damping in proportion to mass that is thought to act on
+//! bodies too each shows in one of these.
 
 use crate::curves::Curves;
 use crate::running::start;
@@ -19,7 +20,8 @@ fn slider(rail: &str, rest: &str) -> String {
     )
 }
 
-/// `d/(2 sqrt(k m))` with 2 N s/m, 100 N/m and 4 kg, however the damper is written. Dry friction is left out, and negative damping has its sign.
+/// `d/(2 sqrt(k m))` with 2 N s/m, 100 N/m and 4 kg, however the damper is written. Dry friction is left out, and
+/// negative damping has its sign.
 #[test]
 fn one_mass_has_the_closed_form() {
     let on_rail = "joint = \"rail\"\ncoordinate = \"distance\"\n";
@@ -51,7 +53,8 @@ fn leaf(damping: &str, tip: &str, simulation: &str) -> String {
 const BODY: &str = "[body.tip]\nmass = 5\nposition = [0.5, 0, 0]\nvelocity = [0, 0, 0.01]\ninertia = [1e-3, 1e-3, 1e-3]\n[joint.fit]\ntype = \"weld\"\n\
                     a = \"leaf.end\"\nb = \"tip\"\n[output.tip]\nat = \"tip\"\nquantities = [\"displacement\"]";
 
-/// Ratios of 5 % at two frequencies are `c ω/2 + a/(2 ω)` everywhere: the damping of a straight beam is in proportion to its stiffness and its mass.
+/// Ratios of 5 % at two frequencies are `c ω/2 + a/(2 ω)` everywhere: the damping of a straight beam is in proportion
+/// to its stiffness and its mass.
 #[test]
 fn beams_have_the_ratios_of_their_material() {
     let [low, high] = [10.0, 500.0].map(|frequency: f64| std::f64::consts::TAU * frequency);
@@ -60,14 +63,15 @@ fn beams_have_the_ratios_of_their_material() {
     for mode in simulation.modes(6).unwrap().modes {
         let omega = mode.angular_frequency();
         let expected = 0.05 * (omega + low * high / omega) / (low + high);
-        // Shapes have errors of 1e-10, and the forms their squares; the stiffness of the axis is 1e6 times that of bending.
+        // Shapes have errors of 1e-10, and the forms their squares; the stiffness of the axis is 1e6 times that of
+        // bending.
         assert!((mode.damping_ratio / expected - 1.0).abs() < 1e-8, "{omega}: {} {expected}", mode.damping_ratio);
     }
     assert_eq!(missed_ratio(&simulation), None);
 }
 
-/// With the body, the mass-proportional part acts on 1.1 % of the moving mass: `(33/140) 0.236/5`. The ratio is missed by a factor of 77, which the note says with the damping
-/// that has the ratio.
+/// With the body, the mass-proportional part acts on 1.1 % of the moving mass: `(33/140) 0.236/5`. The ratio is missed
+/// by a factor of 77, which the note says with the damping that has the ratio.
 #[test]
 fn regression_ratios_that_bodies_take_away_are_told() {
     let text = leaf("damping_ratios = [0.05, 0.05]\ndamping_frequencies = [1.06507, 500]", BODY, "");
@@ -87,7 +91,8 @@ fn regression_ratios_that_bodies_take_away_are_told() {
     assert_eq!(missed_ratio(&start(&leaf("damping = 0.0149", BODY, ""))), None);
 }
 
-/// The damping that the note proposes has the ratio, and a run in time decays by it: the maxima of three periods fall by `exp(-2 pi ζ/sqrt(1 - ζ²))` each.
+/// The damping that the note proposes has the ratio, and a run in time decays by it: the maxima of three periods fall
+/// by `exp(-2 pi ζ/sqrt(1 - ζ²))` each.
 #[test]
 fn runs_decay_by_the_ratio() {
     let text = leaf("damping = 0.01494", BODY, "step = 2e-3\noutput_step = 2e-3\nspectral_radius = 1\n");
@@ -99,6 +104,7 @@ fn runs_decay_by_the_ratio() {
     assert!(peaks.len() >= 3, "{peaks:?}");
     let decay = (peaks[0] / peaks[2]).ln() / 2.0;
     let found = decay / std::f64::consts::TAU.hypot(decay);
-    // Maxima between rows 2 ms apart are off by up to (0.013 rad)²/8, and higher modes of the blow by less than 1e-3 of the first maximum.
+    // Maxima between rows 2 ms apart are off by up to (0.013 rad)²/8, and higher modes of the blow by less than 1e-3 of
+    // the first maximum.
     assert!((found / ratio - 1.0).abs() < 5e-3, "{found} {ratio}");
 }

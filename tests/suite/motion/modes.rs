@@ -1,5 +1,6 @@
-//! Natural modes against closed forms, against the tables of MECHANICS 9, and against the time integration of the same machine. A wrong
-//! constraint, a forgotten load or multiplier stiffness, or a lost vector of a pair each shows in one of these.
+//! Natural modes against closed forms, against the tables of MECHANICS 9, and against the time integration of the same
+//! machine. A wrong constraint, a forgotten load or multiplier stiffness, or a lost vector of a pair each shows in one
+//! of these.
 
 use crate::running::start;
 use crate::support::machines::{clamp, design, integrate, load};
@@ -52,8 +53,8 @@ fn largest_product(system: &System, found: &Modes) -> f64 {
     largest
 }
 
-/// Errors that MECHANICS 9 gives for 8 elements: 2.1e-6, 8.0e-5, 1.6e-3, 6.2e-7; the third bending mode, which it does not give, has
-/// that of the order 4 in the wave's length, 80e-6 (7.85/4.69)⁴.
+/// Errors that MECHANICS 9 gives for 8 elements: 2.1e-6, 8.0e-5, 1.6e-3, 6.2e-7; the third bending mode, which it does
+/// not give, has that of the order 4 in the wave's length, 80e-6 (7.85/4.69)⁴.
 #[test]
 fn cantilevers_meet_the_closed_forms() {
     for section in [Section::rectangle(0.01, 0.02), Section::circle(0.01)] {
@@ -85,7 +86,8 @@ fn cantilevers_meet_the_closed_forms() {
     }
 }
 
-/// Both modes of each pair of a round beam come out, one along y and one along z, at one frequency to the round-off of the stiffness.
+/// Both modes of each pair of a round beam come out, one along y and one along z, at one frequency to the round-off of
+/// the stiffness.
 #[test]
 fn round_beams_have_pairs() {
     let beam = BeamDesign { section: Section::circle(0.01), ..design("beam", 8) };
@@ -100,7 +102,8 @@ fn round_beams_have_pairs() {
     }
 }
 
-/// A beam that floats in an oblique direction has six free modes and then theory's; more modes than it has are not made up.
+/// A beam that floats in an oblique direction has six free modes and then theory's; more modes than it has are not made
+/// up.
 #[test]
 fn floating_beams_have_six_free_modes() {
     let beam =
@@ -155,7 +158,8 @@ fn shaft(overrides: &[(&str, &str)], count: usize) -> Vec<f64> {
     simulation.modes(count).unwrap().modes.iter().map(|mode| mode.angular_frequency()).collect()
 }
 
-/// The paper's shaft at rest: MECHANICS 9, to its last printed digit; and about the equilibrium under gravity, with 6 elements.
+/// The paper's shaft at rest: MECHANICS 9, to its last printed digit; and about the equilibrium under gravity, with 6
+/// elements.
 #[test]
 fn the_shaft_has_the_frequencies_of_its_table() {
     let straight = shaft(&[("gravity[3]", "0"), ("shaft.elements", "24")], 6);
@@ -202,7 +206,8 @@ at = [0, 0, 0]
 axis = [0, 1, 0]
 "#;
 
-/// `ω² = m g d/(J + m d²)` of a pendulum, all of it from the force in its hinge; upside down it is the rate of the fall, squared.
+/// `ω² = m g d/(J + m d²)` of a pendulum, all of it from the force in its hinge; upside down it is the rate of the
+/// fall, squared.
 #[test]
 fn pendulums_swing_and_fall() {
     let exact = 2.0 * 9.81 * 0.7 / (0.2 + 2.0 * 0.49);
@@ -249,8 +254,8 @@ rotational_stiffness = [320, 5000, 14700]
     }
 }
 
-/// The crane hangs its load from a boom and a rope under tension: started along a mode, the integrator must swing in that mode, and
-/// no other, with the period of the implicit midpoint rule, `tan(ω' h/2) = ω h/2`.
+/// The crane hangs its load from a boom and a rope under tension: started along a mode, the integrator must swing in
+/// that mode, and no other, with the period of the implicit midpoint rule, `tan(ω' h/2) = ω h/2`.
 #[test]
 fn a_machine_swings_in_its_modes() {
     let overrides = ["steel.damping=0", "wire.damping=0", "foot.input=false"].map(|text| {
@@ -288,7 +293,8 @@ fn a_machine_swings_in_its_modes() {
     }
 }
 
-/// A moment about an axis that stands still, at a free end, has no potential: said, with its size; a dead force has one.
+/// A moment about an axis that stands still, at a free end, has no potential: said, with its size; a dead force has
+/// one.
 #[test]
 fn loads_without_potential_are_told() {
     let skewness = |force: Vec3, moment: Vec3| {
@@ -304,8 +310,8 @@ fn loads_without_potential_are_told() {
     assert!(skewness(Vec3::zeros(), Vec3::x() * 5.0) > 1e-3);
 }
 
-/// Beck's column bears its follower load up to `20.05 E I/L²`; without the skew part it is called unstable at half of that. The warning must
-/// say that kinds are not to be trusted then, not only that flutter is lost.
+/// Beck's column bears its follower load up to `20.05 E I/L²`; without the skew part it is called unstable at half of
+/// that. The warning must say that kinds are not to be trusted then, not only that flutter is lost.
 #[test]
 fn regression_kinds_are_not_to_be_trusted_under_follower_loads() {
     let text = include_str!("../../../models/cantilever.toml");
@@ -335,8 +341,8 @@ fn beams_without_torsion_have_bending_modes() {
     }
 }
 
-/// However many softer motions there are, none that is unstable is missed: an upright pendulum beside six bodies on soft mounts, one
-/// mode asked for. `ω² = −m g l/(m l² + J)`.
+/// However many softer motions there are, none that is unstable is missed: an upright pendulum beside six bodies on
+/// soft mounts, one mode asked for. `ω² = −m g l/(m l² + J)`.
 #[test]
 fn unstable_modes_are_not_hidden_by_softer_ones() {
     let mut text = String::from(
@@ -357,7 +363,8 @@ fn unstable_modes_are_not_hidden_by_softer_ones() {
     assert!((mode.eigenvalue / exact - 1.0).abs() < 1e-9, "{} {exact}", mode.eigenvalue);
 }
 
-/// Bodies that nothing holds have no stiffness at all, not even a scale of one: six free motions, and one more with a hinge.
+/// Bodies that nothing holds have no stiffness at all, not even a scale of one: six free motions, and one more with a
+/// hinge.
 #[test]
 fn bodies_without_any_stiffness_move_freely() {
     let body = |name: &str, x: f64| format!("[body.{name}]\nmass = 1\ninertia = [1, 1, 1]\nposition = [{x}, 0, 0]\n");

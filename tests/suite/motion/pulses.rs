@@ -1,5 +1,6 @@
-//! Pulses that are shorter than a step must not be lost, whatever way they are written: their impulse is momentum of the body that they act on. A step that looks at a function in its middle only
-//! sees nothing of them, or takes them for the whole of the step.
+//! Pulses that are shorter than a step must not be lost, whatever way they are written: their impulse is momentum of
+//! the body that they act on. A step that looks at a function in its middle only sees nothing of them, or takes them
+//! for the whole of the step.
 
 use crate::curves::Curves;
 use crate::running::{start, value};
@@ -36,7 +37,8 @@ fn speed(parts: &str, overrides: &[(&str, &str)]) -> f64 {
     Curves::run(&format!("{BODY}{parts}{RUN}"), overrides).last("p.distance_rate")
 }
 
-/// Chosen steps, fixed ones, and those of generalized-alpha: each must give 1 m/s, but for an error of `tolerance`, of `alpha_tolerance` for generalized-alpha.
+/// Chosen steps, fixed ones, and those of generalized-alpha: each must give 1 m/s, but for an error of `tolerance`, of
+/// `alpha_tolerance` for generalized-alpha.
 fn gives_its_impulse(ways: &[(&str, String)], tolerance: f64, alpha_tolerance: f64) {
     let alpha = [FIXED, &[("simulation.integrator", "generalized_alpha")]].concat();
     for (name, parts) in ways {
@@ -47,8 +49,9 @@ fn gives_its_impulse(ways: &[(&str, String)], tolerance: f64, alpha_tolerance: f
     }
 }
 
-/// A constant force between two switches, or straight lines between corners: steps end at all of them, and the impulse is right to the round-off of the forces' times. Generalized-alpha
-/// starts anew at jumps only; behind a corner it goes on with the accelerations of a step of another length, which moves its impulse by a share of one step.
+/// A constant force between two switches, or straight lines between corners: steps end at all of them, and the impulse
+/// is right to the round-off of the forces' times. Generalized-alpha starts anew at jumps only; behind a corner it goes
+/// on with the accelerations of a step of another length, which moves its impulse by a share of one step.
 #[test]
 fn regression_pulses_between_switches_give_their_impulse() {
     let exact = [
@@ -87,8 +90,9 @@ fn regression_pulses_between_switches_give_their_impulse() {
     gives_its_impulse(&corners, 1e-9, 0.2);
 }
 
-/// A smooth pulse takes about thirty steps, whose midpoints miss 2e-4 of its impulse each at most, of both signs; chosen steps look at it with the accuracy of 1e-3. Generalized-alpha weighs the
-/// ends of steps whose lengths change by factors of two.
+/// A smooth pulse takes about thirty steps, whose midpoints miss 2e-4 of its impulse each at most, of both signs;
+/// chosen steps look at it with the accuracy of 1e-3. Generalized-alpha weighs the ends of steps whose lengths change
+/// by factors of two.
 #[test]
 fn regression_smooth_pulses_give_their_impulse() {
     let gauss = |width: f64| format!("exp(-((t - 1.0015)/{width:e})^2)/{width:e}/sqrt(pi)");
@@ -132,9 +136,10 @@ fn regression_a_pulse_of_a_rate_is_integrated() {
     }
 }
 
-/// A frame at the end of a spring of 1 N/m moves by 1000 m and back within 1 ms, as the square of half a sine: 0.5 N s, which the spring, of a period of 6 s, hands on. Behind it the body swings
-/// with that speed at first, `v cos(t)`. Fixed steps give it to the round-off of half a dozen steps through the pulse; in chosen ones the numerical dissipation of the spring, of first order in
-/// the step, adds up to a third.
+/// A frame at the end of a spring of 1 N/m moves by 1000 m and back within 1 ms, as the square of half a sine: 0.5 N s,
+/// which the spring, of a period of 6 s, hands on. Behind it the body swings with that speed at first, `v cos(t)`.
+/// Fixed steps give it to the round-off of half a dozen steps through the pulse; in chosen ones the numerical
+/// dissipation of the spring, of first order in the step, adds up to a third.
 #[test]
 fn regression_a_pulse_of_a_frame_moves_what_hangs_on_it() {
     let frame = "[frame.f]\nposition = [\"1000*if(t > 1.0005 and t < 1.0015, sin(pi*(t - 1.0005)/1e-3)^2, 0)\", 0, 0]\n\
@@ -146,7 +151,8 @@ fn regression_a_pulse_of_a_frame_moves_what_hangs_on_it() {
     }
 }
 
-/// A latch that holds for 1 ms, by the square of the time: steps and the search for switches once looked at 10,000 instants only.
+/// A latch that holds for 1 ms, by the square of the time: steps and the search for switches once looked at 10,000
+/// instants only.
 #[test]
 fn regression_a_short_hold_is_not_passed_over() {
     let lock = "[lock.k]\njoint = \"j\"\ncoordinate = \"distance\"\nactive = \"t^2 > 1.000001 and t^2 < 1.000002\"\n";
@@ -161,7 +167,8 @@ fn steps(parts: &str, overrides: &[(&str, &str)]) -> f64 {
     Curves::run(&format!("{BODY}{parts}{totals}"), overrides).last("statistics.steps")
 }
 
-/// A load that steps resolve costs none: fixed steps are those of the grid, and chosen ones are as many as they were before anything looked for pulses, to the step.
+/// A load that steps resolve costs none: fixed steps are those of the grid, and chosen ones are as many as they were
+/// before anything looked for pulses, to the step.
 #[test]
 fn smooth_loads_cost_no_steps() {
     let chosen = [

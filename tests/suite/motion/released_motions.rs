@@ -1,13 +1,15 @@
-//! The motions that release energy are counted right, on every model and at random states of it. With constraints as springs, eliminated without
-//! exchanges, a small pivot or a spring too soft would give another count than the eigenvalues of the whole matrix do: of `[A Bᵀ; B 0]` as many are
-//! negative as there are conditions, and one more for each motion that they allow and that releases energy.
+//! The motions that release energy are counted right, on every model and at random states of it. With constraints as
+//! springs, eliminated without exchanges, a small pivot or a spring too soft would give another count than the
+//! eigenvalues of the whole matrix do: of `[A Bᵀ; B 0]` as many are negative as there are conditions, and one more for
+//! each motion that they allow and that releases energy.
 
 use crate::motion::direct_solver::{machines, set_matrix};
 use crate::random::Random;
 use ancf14::solve::newton::kkt::Kkt;
 use nalgebra::DMatrix;
 
-/// An eigenvalue of the scaled matrix below this says nothing: it is round-off of the largest ones, which are some units.
+/// An eigenvalue of the scaled matrix below this says nothing: it is round-off of the largest ones, which are some
+/// units.
 const ROUND_OFF: f64 = 1e-13;
 
 /// How many eigenvalues of the matrix beyond those of its conditions are negative; None where one is round-off.

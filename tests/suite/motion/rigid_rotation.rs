@@ -1,7 +1,8 @@
-//! A rigid body turns as Euler says, to second order in the step: free of torque it keeps its angular momentum to round-off and its
-//! energy to second order or better, also where it tips over about its intermediate axis, and its directors stay orthonormal; tensor
-//! and principal moments are the same body; a top precesses and a disk wobbles at the rate of theory. Wrong director inertia, or
-//! conditions that do work, show in the rates; a body that loses a gyroscopic term falls like a stick.
+//! A rigid body turns as Euler says, to second order in the step: free of torque it keeps its angular momentum to
+//! round-off and its energy to second order or better, also where it tips over about its intermediate axis, and its
+//! directors stay orthonormal; tensor and principal moments are the same body; a top precesses and a disk wobbles at
+//! the rate of theory. Wrong director inertia, or conditions that do work, show in the rates; a body that loses a
+//! gyroscopic term falls like a stick.
 
 use crate::running::{run, start, vector};
 use crate::support::machines::{energies, integrate};
@@ -32,8 +33,9 @@ fn axes(state: &State) -> Mat3 {
     kinematics::pose(&state.q, 0).axes
 }
 
-/// A body that turns about its intermediate axis tips over, again and again. Its energy changes with order 4 in the step: forces in the
-/// middle of a step do no work on quadratic conditions, and velocities that these do not allow have energies of fourth order.
+/// A body that turns about its intermediate axis tips over, again and again. Its energy changes with order 4 in the
+/// step: forces in the middle of a step do no work on quadratic conditions, and velocities that these do not allow have
+/// energies of fourth order.
 #[test]
 fn tipping_keeps_momentum_energy_and_axes() {
     let bands = [4e-3, 2e-3].map(|step: f64| {
@@ -69,8 +71,9 @@ fn tipping_keeps_momentum_energy_and_axes() {
     assert!(bands[1] < 1e-8 && ratio > 12.0, "{bands:?}");
 }
 
-/// A fast body, 0.2 rad a step, for 160 turns. Taking all that the conditions do not allow out of the momentum at every step costs 8 % of
-/// the energy in this time, and an eighth of it with half the step; taking out what alternates costs a rest of higher order, 4 and more.
+/// A fast body, 0.2 rad a step, for 160 turns. Taking all that the conditions do not allow out of the momentum at every
+/// step costs 8 % of the energy in this time, and an eighth of it with half the step; taking out what alternates costs
+/// a rest of higher order, 4 and more.
 #[test]
 fn regression_a_fast_body_keeps_its_energy() {
     let changes = [(2e-3, 5000), (1e-3, 10_000)].map(|(step, count)| {
@@ -119,8 +122,8 @@ fn it_turns_as_euler_says() {
     assert!(errors[1] < 1e-2 && (order - 2.0).abs() < 0.1, "{errors:?}");
 }
 
-/// Principal moments along skew axes, and the tensor of the same body along the global ones: the same motion. Through the model file,
-/// with the signs of its products.
+/// Principal moments along skew axes, and the tensor of the same body along the global ones: the same motion. Through
+/// the model file, with the signs of its products.
 #[test]
 fn a_tensor_is_the_same_body_as_its_principal_moments() {
     let turn = rotation::rotation_matrix(&Vec3::new(0.7, -0.4, 1.1));
@@ -211,8 +214,8 @@ fn a_top_precesses_at_the_rate_of_theory() {
     assert!(nodding < 5e-3, "{nodding:e}");
 }
 
-/// A flat disk has no director inertia across itself (`E1 = 0`): the mass matrix is singular, the motion is not. Thrown, it wobbles
-/// with the rate `L/I` of a symmetric body, twice its spin for small angles.
+/// A flat disk has no director inertia across itself (`E1 = 0`): the mass matrix is singular, the motion is not.
+/// Thrown, it wobbles with the rate `L/I` of a symmetric body, twice its spin for small angles.
 #[test]
 fn a_flat_disk_wobbles() {
     let (moment, spin, tilt) = (0.02, 10.0, 0.1_f64);

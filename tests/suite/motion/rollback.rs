@@ -93,7 +93,8 @@ fn chosen_steps_are_repeated() {
     }
 }
 
-/// What a host has set before and since the initialization is in the bytes: fixed and tunable parameters, inputs with derivatives.
+/// What a host has set before and since the initialization is in the bytes: fixed and tunable parameters, inputs with
+/// derivatives.
 #[test]
 fn settings_are_in_the_bytes() {
     let text = MODELS[6].1;
@@ -168,7 +169,8 @@ fn bytes_that_do_not_fit_are_refused() {
     }
 }
 
-/// With elements of ANCF24, which have no frames to go back to, alone and beside those of ANCF14: a shaft, a mechanism, a curve.
+/// With elements of ANCF24, which have no frames to go back to, alone and beside those of ANCF14: a shaft, a mechanism,
+/// a curve.
 #[test]
 fn repeated_steps_of_ancf24_give_the_same_bits() {
     for (place, beam) in [(3, "shaft"), (4, "strip"), (4, "crank"), (11, "arc")] {
@@ -253,8 +255,8 @@ fn absurdly_small_steps_are_refused() {
     assert!(failure.message.contains("internal steps of 1e-300 s"), "{}", failure.message);
 }
 
-/// A static path is judged from where it is, also after a host has gone back from elsewhere at the same time: the strut buckles
-/// between A and C, whatever was tried before.
+/// A static path is judged from where it is, also after a host has gone back from elsewhere at the same time: the strut
+/// buckles between A and C, whatever was tried before.
 #[test]
 fn buckling_is_told_after_a_rollback() {
     let text = r#"

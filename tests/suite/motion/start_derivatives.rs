@@ -1,5 +1,5 @@
-//! Derivatives of the start, and what initial values are found from: closed forms of a cantilever, and whether anything follows from an input
-//! or a parameter that the description does not name.
+//! Derivatives of the start, and what initial values are found from: closed forms of a cantilever, and whether anything
+//! follows from an input or a parameter that the description does not name.
 
 use crate::curves::load;
 use ancf14::fmi::instance::Instance;
@@ -69,7 +69,8 @@ fn bits(simulation: &Simulation) -> Vec<u64> {
     (0..simulation.variables().len()).map(|at| simulation.value(at).number().to_bits()).collect()
 }
 
-/// At equilibrium `w = F L³/(3 E I)`, with 0.3 % of shear and elongation at most; the moment at the root is `F L`. Asking leaves no trace.
+/// At equilibrium `w = F L³/(3 E I)`, with 0.3 % of shear and elongation at most; the moment at the root is `F L`.
+/// Asking leaves no trace.
 #[test]
 fn equilibrium_under_a_load() {
     let mut simulation = cantilever("equilibrium");
@@ -137,8 +138,9 @@ const MODELS: [&str; 8] = [
     include_str!("../../../models/robot.toml"),
 ];
 
-/// Changes every input and every parameter, one after the other, by a thousandth, and looks at what the description says is not found from it:
-/// the same bits. Machines that begin as drawn, where much is said, have inputs of every kind.
+/// Changes every input and every parameter, one after the other, by a thousandth, and looks at what the description
+/// says is not found from it: the same bits. Machines that begin as drawn, where much is said, have inputs of every
+/// kind.
 #[test]
 fn initial_values_follow_from_what_is_named() {
     let drawn = crate::motion::step_derivatives::MACHINE.replace("KNUCKLE", "rate");
@@ -174,7 +176,8 @@ fn initial_values_follow_from_what_is_named() {
     assert!(silent > 1000, "{silent} pairs were looked at");
 }
 
-/// Two units that start from their drawings have no loop: the arm's pose follows from no load, and of the forearm only the loads from the pose.
+/// Two units that start from their drawings have no loop: the arm's pose follows from no load, and of the forearm only
+/// the loads from the pose.
 #[test]
 fn coupled_units_have_no_initial_loop() {
     let of_inputs = |text: &str, name: &str| {
@@ -189,7 +192,8 @@ fn coupled_units_have_no_initial_loop() {
     assert_eq!(of_inputs(MODELS[5], "hand_load.applied_force[1]"), None);
 }
 
-/// Values far beyond everything mechanical are refused, or give numbers: no result is infinite or NaN with a call that succeeds.
+/// Values far beyond everything mechanical are refused, or give numbers: no result is infinite or NaN with a call that
+/// succeeds.
 #[test]
 fn regression_results_are_numbers() {
     let cases = [

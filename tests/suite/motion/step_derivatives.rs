@@ -1,13 +1,13 @@
-//! Derivatives of a communication step: by the host's inputs against differences through repeated steps, by time against differences
-//! between steps.
+//! Derivatives of a communication step: by the host's inputs against differences through repeated steps, by time
+//! against differences between steps.
 
 use crate::curves::load;
 use ancf14::fmi::variable::Causality;
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
 
-/// Everything that a host can give: a frame, an angle, a rate, a distance, loads at a point, along a beam, on a body, dead and following, an effort between two points;
-/// and of everything that can be measured something.
+/// Everything that a host can give: a frame, an angle, a rate, a distance, loads at a point, along a beam, on a body,
+/// dead and following, an effort between two points; and of everything that can be measured something.
 pub const MACHINE: &str = r#"
 format = 1
 [model]
@@ -136,8 +136,8 @@ pub fn set_out(simulation: &mut Simulation, step: f64, steps: u32) -> f64 {
     end
 }
 
-/// Largest difference between the derivatives and central differences of fourth order through repeated steps; over the largest derivative
-/// of the same family of results by the same input.
+/// Largest difference between the derivatives and central differences of fourth order through repeated steps; over the
+/// largest derivative of the same family of results by the same input.
 pub fn worst(mut simulation: Simulation, step: f64, steps: u32) -> (f64, String) {
     let begin = if steps > 1 { set_out(&mut simulation, step, steps - 1) } else { 0.0 };
     let start = simulation.snapshot();
@@ -204,8 +204,8 @@ pub fn machine(word: &str, overrides: Overrides) -> Simulation {
     load(&MACHINE.replace("KNUCKLE", word), overrides)
 }
 
-/// Both midpoint rules, generalized-alpha and statics; one internal step and several, on the grid and off it; right after the start and on
-/// the way; all elements.
+/// Both midpoint rules, generalized-alpha and statics; one internal step and several, on the grid and off it; right
+/// after the start and on the way; all elements.
 #[test]
 fn derivatives_by_inputs() {
     let conserving: Overrides = &[];
@@ -230,14 +230,15 @@ fn derivatives_by_inputs() {
     for (name, overrides, word, step, steps) in cases {
         let (error, what) = worst(machine(word, overrides), step, steps);
         println!("{name}: {error:.1e} ({what})");
-        // The differences leave 5e-5 of a family, by the fourth power of their step and by what Newton leaves of a section's moment; a term that is missing
-        // shows at 1e-2.
+        // The differences leave 5e-5 of a family, by the fourth power of their step and by what Newton leaves of a
+        // section's moment; a term that is missing shows at 1e-2.
         assert!(error < 1e-4, "{name}: {error:.1e} ({what})");
     }
 }
 
-/// Strong damping with generalized-alpha: derivatives have the exact matrix of a step, and the differences leave 1e-9 of a family. With the matrix of the iteration, which leaves out a part of the damping,
-/// derivatives would be off by 7e-7.
+/// Strong damping with generalized-alpha: derivatives have the exact matrix of a step, and the differences leave 1e-9
+/// of a family. With the matrix of the iteration, which leaves out a part of the damping, derivatives would be off by
+/// 7e-7.
 #[test]
 fn derivatives_of_damped_steps_by_inputs() {
     let overrides = &[("soft.damping", "0.1"), ("simulation.integrator", "generalized_alpha")];
@@ -259,7 +260,8 @@ fn value(simulation: &Simulation, name: &str) -> f64 {
     simulation.value(place(simulation, name)).number()
 }
 
-/// Positions go with velocities, velocities with accelerations, quaternions with angular velocities, a driven angle with its drive.
+/// Positions go with velocities, velocities with accelerations, quaternions with angular velocities, a driven angle
+/// with its drive.
 #[test]
 fn derivatives_by_time_of_what_moves() {
     for overrides in [&[][..], &[("simulation.integrator", "generalized_alpha")], &[("finger.element", "ancf24")]] {
@@ -309,8 +311,9 @@ fn slope_of(simulation: &Simulation, name: &str) -> f64 {
     (2.0 + 0.7 * k as f64).cos()
 }
 
-/// The energies of an undamped strip under a host's force change as the work done on it; momenta, reactions and accelerations by the
-/// difference quotient of the last communication step, or before there is one by that of the first internal step.
+/// The energies of an undamped strip under a host's force change as the work done on it; momenta, reactions and
+/// accelerations by the difference quotient of the last communication step, or before there is one by that of the first
+/// internal step.
 #[test]
 fn derivatives_by_time_of_energy_and_the_rest() {
     let text = include_str!("../fmi/model.toml")
@@ -380,7 +383,8 @@ fn derivatives_belong_to_the_last_step() {
         simulation.advance(end + 8e-3).unwrap();
     }
     assert_eq!(value(&other, "tip.position[1]").to_bits(), value(&unasked, "tip.position[1]").to_bits());
-    // A parameter that is tuned is of the next step; the last one had the old machine, also where nothing had been asked for before.
+    // A parameter that is tuned is of the next step; the last one had the old machine, also where nothing had been
+    // asked for before.
     simulation.restore(&snapshot);
     simulation.set_value(place(&simulation, "gravity[3]"), Value::Real(-90.0)).unwrap();
     let tuned = simulation.write(&simulation.snapshot(), Vec::new());
@@ -399,7 +403,8 @@ fn derivatives_belong_to_the_last_step() {
     assert_eq!(derivative_of(&mut other), 0.0);
 }
 
-/// A quaternion counts by its direction: derivatives by one of another length are those by the unit one, over the length.
+/// A quaternion counts by its direction: derivatives by one of another length are those by the unit one, over the
+/// length.
 #[test]
 fn quaternions_of_any_length() {
     let derivative = |length: f64| {
@@ -420,7 +425,8 @@ fn quaternions_of_any_length() {
     }
 }
 
-/// A tunable parameter acts from when it is set, in the instance that it was set in and in one that goes on from its bytes.
+/// A tunable parameter acts from when it is set, in the instance that it was set in and in one that goes on from its
+/// bytes.
 #[test]
 fn derivatives_by_time_after_a_tuned_parameter() {
     let mut simulation = machine("value", &[]);
@@ -436,8 +442,8 @@ fn derivatives_by_time_after_a_tuned_parameter() {
     assert_eq!(own.to_bits(), rate(&mut other, "tip.velocity[3]").to_bits());
 }
 
-/// Before the first step, too: derivatives that are difference quotients are those of a run that begins with the tuned parameter, and without
-/// the jump of the results that gravity enters. The drawn start does not depend on gravity.
+/// Before the first step, too: derivatives that are difference quotients are those of a run that begins with the tuned
+/// parameter, and without the jump of the results that gravity enters. The drawn start does not depend on gravity.
 #[test]
 fn regression_quotients_after_a_parameter_tuned_before_the_first_step() {
     let text = include_str!("../../../models/pendulum.toml");

@@ -1,4 +1,5 @@
-//! Motions with parts that are far stiffer along their axis than across it, in steps too long for their vibrations. A correction stretches such a part, and a matrix with that tension makes refinements small, however large the error
+//! Motions with parts that are far stiffer along their axis than across it, in steps too long for their vibrations. A
+//! correction stretches such a part, and a matrix with that tension makes refinements small, however large the error
 //! still is. A step must not end there.
 
 use ancf14::mechanics::state::Statistics;
@@ -7,7 +8,8 @@ use ancf14_testing::curves::{Curves, largest, load};
 const STEP: f64 = 0.05;
 const STEPS: u32 = 60;
 
-/// A step may leave 0.3 of the tolerance of a coordinate of these mechanisms, of 1 m. Its velocity has that over the step, which adds up over the steps that follow.
+/// A step may leave 0.3 of the tolerance of a coordinate of these mechanisms, of 1 m. Its velocity has that over the
+/// step, which adds up over the steps that follow.
 const LARGEST_DIFFERENCE: f64 = 0.5 * 0.3e-8 * (STEPS * STEPS) as f64;
 
 /// Parts, with the results of `seen`.
@@ -76,7 +78,8 @@ fn stiff_springs_swing_as_with_a_tight_tolerance() {
     }
 }
 
-/// A thousand kilometers from the origin, round-off of positions is 1e-10 m: refinements of that size do not shrink, and are as good as they get. No step takes more iterations for it.
+/// A thousand kilometers from the origin, round-off of positions is 1e-10 m: refinements of that size do not shrink,
+/// and are as good as they get. No step takes more iterations for it.
 #[test]
 fn stiff_springs_swing_far_from_the_origin() {
     for stiffness in ["1e4", "1e8", "1e12"] {

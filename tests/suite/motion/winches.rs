@@ -1,4 +1,5 @@
-//! Beams that winches pay out. At a given instant such a beam is one of another free length; in motion its mass grows and passes through the mesh.
+//! Beams that winches pay out. At a given instant such a beam is one of another free length; in motion its mass grows
+//! and passes through the mesh.
 
 use crate::curves::{Curves, load};
 use crate::motion::step_derivatives::worst;
@@ -7,7 +8,8 @@ use ancf14::fmi::{Model, Value};
 use ancf14::solve::modes::modes;
 use ancf14_testing::integrate::runge_kutta;
 
-/// A bent and twisted cantilever of 1 m that is drawn with `length` m and pays out `paid` m, with a body, its weight and a force and a moment at its end.
+/// A bent and twisted cantilever of 1 m that is drawn with `length` m and pays out `paid` m, with a body, its weight
+/// and a force and a moment at its end.
 fn cantilever(length: f64, paid: f64, more: &str) -> String {
     format!(
         "format = 1
@@ -55,7 +57,8 @@ fn cantilever(length: f64, paid: f64, more: &str) -> String {
     )
 }
 
-/// A beam that has paid out 0.4 m, or hauled it in, is the beam that is drawn as long: the same equations, but for round-off, which a tolerance of 1e-10 leaves.
+/// A beam that has paid out 0.4 m, or hauled it in, is the beam that is drawn as long: the same equations, but for
+/// round-off, which a tolerance of 1e-10 leaves.
 #[test]
 fn a_length_paid_out_is_a_length_drawn() {
     // A pretwist is a torsion without stress, which stays what it is per length.
@@ -83,7 +86,8 @@ fn a_length_paid_out_is_a_length_drawn() {
     }
 }
 
-/// The mesh error of an equilibrium, and natural frequencies, are those of a beam drawn as long: to round-off of the meshes, 1e-6, and of the modes, 1e-9.
+/// The mesh error of an equilibrium, and natural frequencies, are those of a beam drawn as long: to round-off of the
+/// meshes, 1e-6, and of the modes, 1e-9.
 #[test]
 fn mesh_errors_and_modes_have_the_length_that_is_out() {
     let concluded = |length: f64, paid: &str| {
@@ -105,8 +109,9 @@ fn mesh_errors_and_modes_have_the_length_that_is_out() {
     }
 }
 
-/// A rope that is drawn slack, pinned at both ends, and paid out: a catenary of the length `L = 2 a sinh(d/2a)`, with the sag `a (cosh(d/2a) − 1)` and the horizontal pull `ρ g a`. The rope stretches by 1e-4,
-/// and its bending stiffness rounds off its ends by `sqrt(EI/H)`, 2 mm.
+/// A rope that is drawn slack, pinned at both ends, and paid out: a catenary of the length `L = 2 a sinh(d/2a)`, with
+/// the sag `a (cosh(d/2a) − 1)` and the horizontal pull `ρ g a`. The rope stretches by 1e-4, and its bending stiffness
+/// rounds off its ends by `sqrt(EI/H)`, 2 mm.
 #[test]
 fn a_rope_that_is_paid_out_hangs_as_a_catenary() {
     let text = "format = 1
@@ -238,12 +243,14 @@ fn smooth(t: f64) -> [f64; 3] {
     ]
 }
 
-/// All of the rope moves as the load does: the winch holds `(m + ρ L)(g − a)`, the energies are those of a rigid rope, and the winch gives what they change by. The rope stretches by 3e-5; the
-/// vibration that the jerk of the winch raises is damped within 1e-2 of its period.
+/// All of the rope moves as the load does: the winch holds `(m + ρ L)(g − a)`, the energies are those of a rigid rope,
+/// and the winch gives what they change by. The rope stretches by 3e-5; the vibration that the jerk of the winch raises
+/// is damped within 1e-2 of its period.
 #[test]
 fn a_heavy_rope_lets_down_a_load() {
     let drawn = hoist(SMOOTH, "");
-    // A pretension is a strain without stress. Were the growth without it, damping would add a force, and the section force would be lower by as much: 3.5 N was seen.
+    // A pretension is a strain without stress. Were the growth without it, damping would add a force, and the section
+    // force would be lower by as much: 3.5 N was seen.
     let pulled = drawn.replace("elements = 4", "elements = 4\n        pretension = 200");
     let [own, other] = [&pulled, &drawn].map(|text| lets_down(text).column("within.section_force"));
     let difference = own.iter().zip(&other).fold(0.0, |most: f64, (own, other)| most.max((own - other).abs()));
@@ -278,7 +285,8 @@ fn lets_down(text: &str) -> Curves {
     curves
 }
 
-/// The drift of the account falls with the square of the step, also 50 km away; a run with steps of its own choice has no warning of its energy, and small errors.
+/// The drift of the account falls with the square of the step, also 50 km away; a run with steps of its own choice has
+/// no warning of its energy, and small errors.
 #[test]
 fn the_account_of_a_winch_closes_to_second_order() {
     let drift_of = |text: &str, step: &str| {
@@ -349,8 +357,8 @@ fn rod(step: &str) -> String {
     )
 }
 
-/// The angular momentum of a rod that comes out of its pivot: `(ρL³/3) φ'' + ρL² L' φ' = (ρ g L²/2) cos φ`. Without the Coriolis forces of what moves through the mesh, the swing would be off
-/// by a tenth. The rod bends by 1e-4.
+/// The angular momentum of a rod that comes out of its pivot: `(ρL³/3) φ'' + ρL² L' φ' = (ρ g L²/2) cos φ`. Without the
+/// Coriolis forces of what moves through the mesh, the swing would be off by a tenth. The rod bends by 1e-4.
 #[test]
 fn a_rod_that_is_pushed_out_swings_slower() {
     let curves = Curves::run(&rod("1e-3"), &[]);
@@ -369,7 +377,8 @@ fn a_rod_that_is_pushed_out_swings_slower() {
     assert!(angle.iter().any(|angle| *angle > 2.0), "it has swung through");
 }
 
-/// A host that gives the length or the rate moves the load as a function of time does, as far as its straight pieces follow it.
+/// A host that gives the length or the rate moves the load as a function of time does, as far as its straight pieces
+/// follow it.
 #[test]
 fn a_host_pays_out() {
     let function = Curves::run(&hoist("length = \"0.5*t^2\"", ""), &[]);
@@ -399,7 +408,8 @@ fn a_winch_must_leave_something() {
     assert!(failure.contains("winch hoist leaves") && failure.contains("haul in less"), "{failure}");
 }
 
-/// A soft rope with a load that a host pays out, aslant: the free length changes strains, mass and what passes through the mesh.
+/// A soft rope with a load that a host pays out, aslant: the free length changes strains, mass and what passes through
+/// the mesh.
 #[test]
 fn derivatives_by_what_a_winch_pays_out() {
     for word in ["length", "rate"] {

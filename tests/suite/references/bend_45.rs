@@ -1,6 +1,6 @@
-//! The 45-degree bend, `models/bend_45.toml`, against the exact rod: `tests/references/bend_45_degrees.csv`, for two torsion constants
-//! and three loads. The error is that of the linear twist, of order 2; the arc as a spline through points on it must come to the
-//! same.
+//! The 45-degree bend, `models/bend_45.toml`, against the exact rod: `tests/references/bend_45_degrees.csv`, for two
+//! torsion constants and three loads. The error is that of the linear twist, of order 2; the arc as a spline through
+//! points on it must come to the same.
 
 use crate::curves::Curves;
 use ancf14::math::Vec3;
@@ -48,8 +48,8 @@ fn quadratic_twist_has_order_four() {
 /// Measured 2.36e-2 m with 8 elements, 3.0e-4 of the length: half the elements make it four times larger.
 const ERROR_OF_8: f64 = 2.5e-2;
 
-/// A natural spline is straight at its ends, where the arc is not: that is felt over a point's distance, and goes with it. Measured 2.8e-3,
-/// 1.0e-3, 4.9e-4 m of 71 m that the tip moves through 9, 17, 33 points.
+/// A natural spline is straight at its ends, where the arc is not: that is felt over a point's distance, and goes with
+/// it. Measured 2.8e-3, 1.0e-3, 4.9e-4 m of 71 m that the tip moves through 9, 17, 33 points.
 #[test]
 fn points_on_the_arc_are_the_arc() {
     let through = |count: u32| {

@@ -1,6 +1,7 @@
-//! Kelvin-Voigt damping gives every small vibration the damping ratio `c omega / 2` (MECHANICS 3.8), damping in proportion to mass `a / (2 omega)`: the logarithmic decrement of a
-//! cantilever's first bending, torsional and axial vibration must be that of theory, with numerical dissipation and without. What moves rigidly must
-//! not be damped: a damping of coordinates instead of strains would bring a spinning beam to rest.
+//! Kelvin-Voigt damping gives every small vibration the damping ratio `c omega / 2` (MECHANICS 3.8), damping in
+//! proportion to mass `a / (2 omega)`: the logarithmic decrement of a cantilever's first bending, torsional and axial
+//! vibration must be that of theory, with numerical dissipation and without. What moves rigidly must not be damped: a
+//! damping of coordinates instead of strains would bring a spinning beam to rest.
 
 use crate::running::{start, vector};
 use crate::support::machines::ancf14;
@@ -22,8 +23,8 @@ const RATIO: f64 = 0.02;
 const STEPS: u32 = 100;
 const ELEMENTS: usize = 8;
 
-/// First vibration of a cantilever of 1 m: circular frequency of theory, the coordinate of the tip that shows it, and its shape at `x`:
-/// velocity of that coordinate, and of the slope that goes with it.
+/// First vibration of a cantilever of 1 m: circular frequency of theory, the coordinate of the tip that shows it, and
+/// its shape at `x`: velocity of that coordinate, and of the slope that goes with it.
 struct Mode {
     name: &'static str,
     omega: f64,
@@ -100,14 +101,15 @@ fn vibrations_decay_as_theory_says() {
             let (period_expected, decrement_expected) = theory(mode.omega, RATIO);
             let errors = [period / period_expected - 1.0, decrement / decrement_expected - 1.0];
             println!("{radius} {}: period off by {:.1e}, decrement by {:.1e}", mode.name, errors[0], errors[1]);
-            // Frequencies of 8 elements: 1.6e-3 in torsion (MECHANICS 9), less elsewhere; the damping ratio goes with them.
+            // Frequencies of 8 elements: 1.6e-3 in torsion (MECHANICS 9), less elsewhere; the damping ratio goes with
+            // them.
             assert!(errors[0].abs() < 3e-3 && errors[1].abs() < 1e-2, "{}: {errors:?}", mode.name);
         }
     }
 }
 
-/// A damped beam that spins about its largest inertia comes to a steady stretch, and from then on keeps its energy to round-off; what
-/// it loses until then is the axial vibration of its sudden start, `rho w^2 L^2 / E` of its energy.
+/// A damped beam that spins about its largest inertia comes to a steady stretch, and from then on keeps its energy to
+/// round-off; what it loses until then is the axial vibration of its sudden start, `rho w^2 L^2 / E` of its energy.
 #[test]
 fn a_spinning_beam_is_not_damped() {
     for (radius, strain) in KINDS {
@@ -148,7 +150,8 @@ fn a_spinning_beam_is_not_damped() {
     }
 }
 
-/// Coefficients from ratios at two frequencies: `ζ = c ω/2 + a/(2 ω)` at both, so that both files give the same motion; with `generalized_alpha` too.
+/// Coefficients from ratios at two frequencies: `ζ = c ω/2 + a/(2 ω)` at both, so that both files give the same motion;
+/// with `generalized_alpha` too.
 #[test]
 fn ratios_at_two_frequencies_are_coefficients() {
     let file = |keys: &str, integrator: &str| {

@@ -1,6 +1,7 @@
-//! The four-bar linkage with a tilted hinge: bars are bent by what would lock them. The moments that its hinges transmit give nodes of
-//! little inertia a stiffness, `λ·g_qq`, a hundred times what the step resolves. Constraint forces that are taken at the start of a step
-//! treat it explicitly: such a machine gained energy from 0.4 s on at 1, 2 and 4 ms. In the middle of the step it is harmless.
+//! The four-bar linkage with a tilted hinge: bars are bent by what would lock them. The moments that its hinges
+//! transmit give nodes of little inertia a stiffness, `λ·g_qq`, a hundred times what the step resolves. Constraint
+//! forces that are taken at the start of a step treat it explicitly: such a machine gained energy from 0.4 s on at 1, 2
+//! and 4 ms. In the middle of the step it is harmless.
 
 use crate::curves::{Curves, largest};
 

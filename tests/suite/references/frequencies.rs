@@ -1,4 +1,5 @@
-//! Cantilever frequencies from the constant mass matrix and the Hessian at rest, by a dense eigenproblem, against the closed forms.
+//! Cantilever frequencies from the constant mass matrix and the Hessian at rest, by a dense eigenproblem, against the
+//! closed forms.
 
 use crate::support::machines::design;
 use ancf14::math::Vec3;
@@ -50,7 +51,8 @@ fn frequencies(beam: &BeamDesign) -> Vec<f64> {
     values
 }
 
-/// Errors that MECHANICS 9 predicts for 8 elements: 2.1e-6, 8.0e-5, 1.6e-3, 6.2e-7; a consistent mass matrix with a wrong entry misses by percents.
+/// Errors that MECHANICS 9 predicts for 8 elements: 2.1e-6, 8.0e-5, 1.6e-3, 6.2e-7; a consistent mass matrix with a
+/// wrong entry misses by percents.
 #[test]
 fn eight_elements_find_the_closed_forms() {
     let beam = design("beam", 8);

@@ -1,5 +1,5 @@
-//! Temperatures that change along a beam, and those that a host gives. What must hold: closed forms of free and held beams, the order of the element, the account of
-//! energy, the results of a temperature that is a function of time.
+//! Temperatures that change along a beam, and those that a host gives. What must hold: closed forms of free and held
+//! beams, the order of the element, the account of energy, the results of a temperature that is a function of time.
 
 use super::stress_as_drawn::{AREA, HELD, STATIC, at_end, strip};
 use crate::running::{run, start, value, vector};
@@ -9,8 +9,9 @@ use ancf14::model::simulation::Simulation;
 
 const EXPANSION: f64 = 1.2e-5;
 
-/// A bar that is warm along half of its length grows by `α T L/2`, and between walls it presses with half of the force of one that is warm everywhere. Both are exact where
-/// the temperature jumps at a node: each element has its own side of it.
+/// A bar that is warm along half of its length grows by `α T L/2`, and between walls it presses with half of the force
+/// of one that is warm everywhere. Both are exact where the temperature jumps at a node: each element has its own side
+/// of it.
 #[test]
 fn a_bar_heated_along_half_of_its_length() {
     let keys = "elements = 4\nstrain = \"small\"\ntemperature = \"if(s < 1, 100*t, 0)\"";
@@ -55,8 +56,8 @@ fn the_bend_of_a_strip_is_of_order_4() {
         let bent = at_end(&strip(&keys, STATIC));
         let tip = vector(&bent, "tip.displacement");
         if elements == 16 {
-            // Strains that are results are those against the one without stress. The curvature of an element is nearly linear along it, and that of the heat leaves a
-            // straight line by `l² κ''/12`: 1.5² l²/12 of it, 2.9e-3.
+            // Strains that are results are those against the one without stress. The curvature of an element is nearly
+            // linear along it, and that of the heat leaves a straight line by `l² κ''/12`: 1.5² l²/12 of it, 2.9e-3.
             let moment = vector(&bent, "middle.section_moment").norm();
             let rigidity = 2.1e11 * 0.02 * 0.01_f64.powi(3) / 12.0;
             println!("moment {:e} of that of the curvature", moment / (rigidity * curvature(1.0)));
@@ -85,7 +86,8 @@ fn heat_along_a_beam_is_in_the_account_of_energy() {
     assert!(most > 0.05 && work > 0.05 && drift < 1e-6 * most, "{drift} {most} {work}");
 }
 
-/// The mesh error of an equilibrium is found on a mesh of twice the elements, which has temperatures of its own: it is told within a factor of 2.
+/// The mesh error of an equilibrium is found on a mesh of twice the elements, which has temperatures of its own: it is
+/// told within a factor of 2.
 #[test]
 fn the_mesh_error_is_told_with_the_temperatures_of_the_finer_mesh() {
     let keys = |elements: u32| {
@@ -136,7 +138,8 @@ fn place(simulation: &Simulation, name: &str) -> usize {
 
 const GIVEN: &str = "elements = 3\ntemperature_input = true\ntemperature = 0\ntemperature_gradient = [0, 0]";
 
-/// Takes a communication step with the temperature and its gradient at the end, or with those at the start and their derivatives.
+/// Takes a communication step with the temperature and its gradient at the end, or with those at the start and their
+/// derivatives.
 fn give(simulation: &mut Simulation, end: f64, by_rate: bool) {
     let every = 0.01;
     for (name, rate) in [("strip.temperature", 40.0), ("strip.temperature_gradient[2]", 3e3)] {
@@ -150,8 +153,8 @@ fn give(simulation: &mut Simulation, end: f64, by_rate: bool) {
     simulation.advance(end).unwrap_or_else(|failure| panic!("{}", failure.message));
 }
 
-/// A host that gives a temperature that grows steadily gets the results of the function of time: by the values at the ends of its steps, and by values with their
-/// derivatives. Only the round-off of the temperature differs.
+/// A host that gives a temperature that grows steadily gets the results of the function of time: by the values at the
+/// ends of its steps, and by values with their derivatives. Only the round-off of the temperature differs.
 #[test]
 fn a_host_gives_what_a_function_of_time_is() {
     let keys = GIVEN
@@ -177,7 +180,8 @@ fn a_host_gives_what_a_function_of_time_is() {
     assert!(most > 1e-3, "{most}");
 }
 
-/// A temperature that a host changes once is reached in one step, stays, and does its work: the account of energy closes.
+/// A temperature that a host changes once is reached in one step, stays, and does its work: the account of energy
+/// closes.
 #[test]
 fn a_host_heats_and_stops() {
     let totals = format!("{SWINGING}spectral_radius = 1\ntolerance = 1e-9\ntotals = [\"energy\", \"work\"]\n");
@@ -195,7 +199,8 @@ fn a_host_heats_and_stops() {
     assert!(drift < 1e-6 * most, "{drift} {most}");
 }
 
-/// A state that is saved within the run, and a step that is taken again, have the same bits; the derivatives of a step by the temperature are those of two runs.
+/// A state that is saved within the run, and a step that is taken again, have the same bits; the derivatives of a step
+/// by the temperature are those of two runs.
 #[test]
 fn states_and_derivatives_know_the_temperature_of_a_host() {
     let mut simulation = start(&strip(GIVEN, SWINGING));

@@ -1,6 +1,7 @@
-//! The paper's helical spring, `models/helical_spring.toml`, against the exact rod: `tests/references/helical_spring.csv`, a shooting
-//! solution of the rod's differential equation, and the linear stiffness of the very curve, 1749.56 N/m (Castigliano). The wire
-//! twists along all its length, so that an error in the reference torsion, the carried frame or the arc lengths shows at once.
+//! The paper's helical spring, `models/helical_spring.toml`, against the exact rod:
+//! `tests/references/helical_spring.csv`, a shooting solution of the rod's differential equation, and the linear
+//! stiffness of the very curve, 1749.56 N/m (Castigliano). The wire twists along all its length, so that an error in
+//! the reference torsion, the carried frame or the arc lengths shows at once.
 
 use crate::curves::Curves;
 
@@ -17,7 +18,8 @@ fn stiffness(overrides: &[(&str, &str)]) -> f64 {
     2.0 * secant("5e-5") - secant("1e-4")
 }
 
-/// Linear twist, equal steps of s: what two other writings of the element give with so many elements (1763.3, 1752.7, 1750.3 N/m), and order 2.
+/// Linear twist, equal steps of s: what two other writings of the element give with so many elements (1763.3, 1752.7,
+/// 1750.3 N/m), and order 2.
 #[test]
 fn stiffness_converges_as_expected() {
     let exact = 1749.5637;
@@ -48,7 +50,8 @@ fn stiffness_with_quadratic_twist() {
     assert!((order - 4.0).abs() < 0.3, "order {order}");
 }
 
-/// The whole curve to twice the spring's own length, 40 elements: what is off is the linear twist's error of the stiffness, 0.18 %.
+/// The whole curve to twice the spring's own length, 40 elements: what is off is the linear twist's error of the
+/// stiffness, 0.18 %.
 #[test]
 fn force_follows_the_pull() {
     let curves = Curves::run(MODEL, &[("simulation.output_step", "0.025"), ("simulation.step", "0.025")]);
@@ -68,7 +71,8 @@ fn force_follows_the_pull() {
     assert!(curves.last("middle.section_force").abs() < curves.last("puller_force.effort"));
 }
 
-/// Equal arcs do as well, but need more elements: those at the ends, where the wire bends sharply, must not turn too far. A polyline of 20 straight pieces is an inscribed polygon, 11 % too stiff (MECHANICS 5.5), and converges too.
+/// Equal arcs do as well, but need more elements: those at the ends, where the wire bends sharply, must not turn too
+/// far. A polyline of 20 straight pieces is an inscribed polygon, 11 % too stiff (MECHANICS 5.5), and converges too.
 #[test]
 fn other_meshes_are_springs_too() {
     let arcs = stiffness(&[("coil.spacing", "arc"), ("coil.elements", "60")]);
@@ -84,7 +88,8 @@ fn other_meshes_are_springs_too() {
     assert!((errors[0] - 0.115).abs() < 0.01 && errors[1] < 0.3 * errors[0], "{errors:?}");
 }
 
-/// The parameters inside the curve are parameters of the model: another radius, another spring, stiffer by the cube or so.
+/// The parameters inside the curve are parameters of the model: another radius, another spring, stiffer by the cube or
+/// so.
 #[test]
 fn parameters_shape_the_curve() {
     let [plain, wide] = ["0.02", "0.022"].map(|radius| stiffness(&[("radius", radius), ("coil.elements", "20")]));

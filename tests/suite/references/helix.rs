@@ -1,9 +1,10 @@
-//! A straight, round rod wound into a helix of 1.5 turns by its exact end wrench: curvature, torsion and the holonomy of the frame all act
-//! together, and everything is known in closed form.
+//! A straight, round rod wound into a helix of 1.5 turns by its exact end wrench: curvature, torsion and the holonomy
+//! of the frame all act together, and everything is known in closed form.
 //!
-//! With the Darboux vector `d = w e` (e along the helix's axis, w per unit of undeformed length, psi between axis and tangent) the curve has
-//! the curvature `w sin(psi)` and the geometric torsion `w cos(psi)`. Kirchhoff's rod stands in equilibrium with the material torsion
-//! `tau` under the force `n = w (GJ tau − EI w cos(psi)) e/(1 + eps)`, `eps = n·t/EA`, and the moment `GJ tau t + EI w sin(psi) b` at its end.
+//! With the Darboux vector `d = w e` (e along the helix's axis, w per unit of undeformed length, psi between axis and
+//! tangent) the curve has the curvature `w sin(psi)` and the geometric torsion `w cos(psi)`. Kirchhoff's rod stands in
+//! equilibrium with the material torsion `tau` under the force `n = w (GJ tau − EI w cos(psi)) e/(1 + eps)`,
+//! `eps = n·t/EA`, and the moment `GJ tau t + EI w sin(psi) b` at its end.
 
 use crate::support::machines::ancf14;
 use crate::support::machines::{clamp, design};

@@ -1,8 +1,9 @@
-//! The paper's lateral torsional buckling (section 5.4) from its model file, 16 elements along the strip, against an independent
-//! geometrically exact code extrapolated to zero mesh and step. The instability multiplies everything that is wrong in torsion,
-//! holonomy and joints: torsion that is left out does not kick out at all.
+//! The paper's lateral torsional buckling (section 5.4) from its model file, 16 elements along the strip, against an
+//! independent geometrically exact code extrapolated to zero mesh and step. The instability multiplies everything that
+//! is wrong in torsion, holonomy and joints: torsion that is left out does not kick out at all.
 //!
-//! Bounds: the linear twist of 16 elements buckles a quarter of a millisecond late (MECHANICS 9), the step of 0.25 ms costs 1e-6 m before.
+//! Bounds: the linear twist of 16 elements buckles a quarter of a millisecond late (MECHANICS 9), the step of 0.25 ms
+//! costs 1e-6 m before.
 
 use crate::curves::{Curves, largest};
 
@@ -73,8 +74,9 @@ fn large_strain_is_near_small_strain() {
     }
 }
 
-/// Efforts and reactions are solved for at the instants of the results: they must be as smooth as those of generalized-alpha, which
-/// damps what the step does not resolve, and agree with them within the roughness of both, 1.6 N m (MECHANICS 6).
+/// Efforts and reactions are solved for at the instants of the results: they must be as smooth as those of
+/// generalized-alpha, which damps what the step does not resolve, and agree with them within the roughness of both, 1.6
+/// N m (MECHANICS 6).
 #[test]
 fn efforts_are_smooth() {
     let alpha = [("simulation.integrator", "generalized_alpha"), ("simulation.spectral_radius", "0.9")];

@@ -1,6 +1,6 @@
-//! Straight pieces welded at corners: is it one beam, and right at the corners? Against statics by hand, against the straight beam
-//! it is when its pieces are in line, and in what the names of points mean. A weld that lets the corner turn, elements shared
-//! wrongly, fractions that forget a piece, the wrong side of a corner: each fails here.
+//! Straight pieces welded at corners: is it one beam, and right at the corners? Against statics by hand, against the
+//! straight beam it is when its pieces are in line, and in what the names of points mean. A weld that lets the corner
+//! turn, elements shared wrongly, fractions that forget a piece, the wrong side of a corner: each fails here.
 
 use crate::curves::Curves;
 use crate::running::{start, value, vector};
@@ -56,8 +56,8 @@ tolerance = 1e-13
     )
 }
 
-/// Two pieces, 1 m along x and 3 m along y, with a load across their plane at the end: the first piece carries the second one's
-/// moment as torque, its own as bending. By hand, for small loads.
+/// Two pieces, 1 m along x and 3 m along y, with a load across their plane at the end: the first piece carries the
+/// second one's moment as torque, its own as bending. By hand, for small loads.
 #[test]
 fn a_frame_corner_carries_its_load() {
     let line = "elements = 8\ncurve = { points = [[0, 0, 0], [1, 0, 0], [1, 3, 0]], polyline = true }";
@@ -74,7 +74,8 @@ fn a_frame_corner_carries_its_load() {
     let found = last("end.displacement[3]");
     println!("frame corner: tip moves by {found:.6e} m, by hand {deflection:.6e} m");
     assert!((found / deflection - 1.0).abs() < 2e-4, "{found} {deflection}");
-    // At the corner the name means the side towards the start: the torque F b, the bending moment of the second piece's own length is there 0.
+    // At the corner the name means the side towards the start: the torque F b, the bending moment of the second piece's
+    // own length is there 0.
     let torque = force * b;
     assert!((last("corner.section_moment[1]") / torque - 1.0).abs() < 1e-6);
     assert!(last("corner.section_moment[2]").abs() < 1e-6 * torque);
@@ -92,8 +93,8 @@ fn a_frame_corner_carries_its_load() {
     );
 }
 
-/// Pieces in line are the straight beam, but for the size of the slopes, which a weld leaves free on both sides (MECHANICS, trap 12): with
-/// loads that bend the beam by a quarter of its length that is felt by 2e-8.
+/// Pieces in line are the straight beam, but for the size of the slopes, which a weld leaves free on both sides
+/// (MECHANICS, trap 12): with loads that bend the beam by a quarter of its length that is felt by 2e-8.
 #[test]
 fn pieces_in_line_are_a_straight_beam() {
     let load = "force = [5, 200, \"-300*t\"]\nmoment = [4, 0, 0]";
@@ -120,7 +121,8 @@ fn pieces_in_line_are_a_straight_beam() {
     }
 }
 
-/// Nodes are numbered along the beam, a corner once; a joint at a corner holds the side towards the start; both sides move as one.
+/// Nodes are numbered along the beam, a corner once; a joint at a corner holds the side towards the start; both sides
+/// move as one.
 #[test]
 fn names_at_corners_mean_the_side_towards_the_start() {
     let line = "elements = 8\ncurve = { points = [[0, 0, 0], [1, 0, 0], [1, 3, 0]], polyline = true }";

@@ -1,5 +1,6 @@
-//! The Princeton beam: a thin aluminium cantilever under a dead tip load at 7 angles and 3 sizes, against the exact rod solution
-//! in tests/references/princeton_beam.csv. What is left with 8 elements is the discretization error of the linear twist, of order 2.
+//! The Princeton beam: a thin aluminium cantilever under a dead tip load at 7 angles and 3 sizes, against the exact rod
+//! solution in tests/references/princeton_beam.csv. What is left with 8 elements is the discretization error of the
+//! linear twist, of order 2.
 
 use crate::support::machines::ancf14;
 use crate::support::machines::{clamp, design, load};
@@ -75,7 +76,8 @@ fn largest(cases: &[Case], value: fn(&Case) -> f64) -> f64 {
     cases.iter().map(|case| value(case).abs()).fold(0.0, f64::max)
 }
 
-/// Largest errors of weak and stiff displacement, twist and rotation, relative to their largest values, over all 21 cases.
+/// Largest errors of weak and stiff displacement, twist and rotation, relative to their largest values, over all 21
+/// cases.
 fn errors(elements: usize, twist: Twist, cases: &[Case]) -> [f64; 4] {
     let values: [fn(&Case) -> f64; 4] = [|c| c.weak, |c| c.stiff, |c| c.twist, |c| c.rotation];
     let scales = values.map(|value| largest(cases, value));
@@ -106,7 +108,8 @@ fn all_cases_with_order_two() {
     for pair in table.windows(2) {
         for (coarse, fine) in pair[0].iter().zip(&pair[1]) {
             let order = (coarse / fine).log2();
-            // 1.78 is what the rotation shows between 4 and 8 elements, where the next order still counts; all others are within 0.06 of 2.
+            // 1.78 is what the rotation shows between 4 and 8 elements, where the next order still counts; all others
+            // are within 0.06 of 2.
             assert!((order - 2.0).abs() < if pair[0] == table[0] { 0.3 } else { 0.1 }, "order {order}");
         }
     }

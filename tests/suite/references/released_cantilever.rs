@@ -1,5 +1,5 @@
-//! A cantilever drawn straight and released under weak gravity (sag L/1000) must follow the modal series of the linear beam:
-//! mass, stiffness, gravity, clamp and time integration at once, against a closed form.
+//! A cantilever drawn straight and released under weak gravity (sag L/1000) must follow the modal series of the linear
+//! beam: mass, stiffness, gravity, clamp and time integration at once, against a closed form.
 
 use crate::support::machines::{clamp, design, integrate};
 use ancf14::math::Vec3;

@@ -1,5 +1,6 @@
-//! A section given by its rigidities has these rigidities, at every size of the strains: `M = EI κ`, `T = GJ τ`, `N = EA ε`, with strains per undeformed length. All rods here are thick: as
-//! rectangles with these rigidities their fibers would strain by 10 % and more, which is 1 to 4 % of a displacement.
+//! A section given by its rigidities has these rigidities, at every size of the strains: `M = EI κ`, `T = GJ τ`,
+//! `N = EA ε`, with strains per undeformed length. All rods here are thick: as rectangles with these rigidities their
+//! fibers would strain by 10 % and more, which is 1 to 4 % of a displacement.
 
 use crate::running::{start, value, vector};
 use ancf14::fmi::Model;
@@ -29,7 +30,8 @@ fn tip(text: &str) -> (Vec3, Vec3) {
     tips(text, &[1.0])[0]
 }
 
-/// The moment 2 pi EI/L closes a circle about either axis: 16 elements of a beam miss the start by 1e-4 of its length (docs/validation.md), 32 by 6e-6.
+/// The moment 2 pi EI/L closes a circle about either axis: 16 elements of a beam miss the start by 1e-4 of its length
+/// (docs/validation.md), 32 by 6e-6.
 #[test]
 fn the_moment_of_a_full_turn_closes_the_circle() {
     for moment in ["[0, 0, \"20*pi*t\"]", "[0, \"20*pi*t\", 0]"] {
@@ -42,7 +44,8 @@ fn the_moment_of_a_full_turn_closes_the_circle() {
     }
 }
 
-/// The right moment turns a tapered rod by `M ∫ ds/EI` along it, and its tip is where the integral of that slope is; here EI falls to a third.
+/// The right moment turns a tapered rod by `M ∫ ds/EI` along it, and its tip is where the integral of that slope is;
+/// here EI falls to a third.
 #[test]
 fn a_tapered_rod_turns_by_the_integral_of_its_flexibility() {
     let section = "EA = 1e4\nEI_y = 100\nEI_z = \"100/(0.5 + s/10)\"";
@@ -60,7 +63,8 @@ fn a_tapered_rod_turns_by_the_integral_of_its_flexibility() {
     assert!(error < 7e-6 && (turn.z.abs() - std::f64::consts::PI).abs() < 1e-5, "{error:e} {turn}");
 }
 
-/// A cantilever with P L²/EI = 3, whose axis stretches by up to 2.5 %; without stretching the reference is that of the elliptic integrals.
+/// A cantilever with P L²/EI = 3, whose axis stretches by up to 2.5 %; without stretching the reference is that of the
+/// elliptic integrals.
 #[test]
 fn a_thick_cantilever_bends_as_the_elastica() {
     let [x, y] = elastica([3.0, 1.0, 1e9, 1.0]);
@@ -74,7 +78,8 @@ fn a_thick_cantilever_bends_as_the_elastica() {
     assert!((moved.x + 4.0 - x).abs().max((moved.y - y).abs()) < 3e-6 * 4.0, "{moved} {x} {y}");
 }
 
-/// Ten turns about an axis across the rod, pulled out along it: the tip is at −0.608 m at a fifth of the load, and at −0.126 m at the end.
+/// Ten turns about an axis across the rod, pulled out along it: the tip is at −0.608 m at a fifth of the load, and at
+/// −0.126 m at the end.
 #[test]
 fn a_rod_wound_to_a_helix_of_ten_turns() {
     let text = long(ROUND, 100, WINDING);
@@ -82,14 +87,16 @@ fn a_rod_wound_to_a_helix_of_ten_turns() {
     let exact = helix(50);
     println!("{} {} of {} {}", found[0].0.z, found[1].0.z, exact[9], exact[49]);
     assert!((exact[9] + 0.6084).abs() < 1e-4 && (exact[49] + 0.1264).abs() < 1e-4, "{} {}", exact[9], exact[49]);
-    // An element turns by 7 degrees, and at the end by 36: with 200 and 400 of them the errors there are 6e-6 and 4e-7 m, of order 4.
+    // An element turns by 7 degrees, and at the end by 36: with 200 and 400 of them the errors there are 6e-6 and 4e-7
+    // m, of order 4.
     for (tip, exact, bound) in [(found[0].0, exact[9], 5e-6), (found[1].0, exact[49], 1.5e-4)] {
         assert!((tip.z - exact).abs() < bound, "{tip} {exact}");
     }
 }
 
-/// A fifth of its length longer, a rod has the torsion T/GJ per undeformed length, and bends as that length says: `EI θ'' = P (1 + P/EA) θ`, `θ = M sinh(k s)/(EI k cosh(k L))` under a
-/// small moment at its end. Curvatures per deformed length would change `k` by a tenth.
+/// A fifth of its length longer, a rod has the torsion T/GJ per undeformed length, and bends as that length says:
+/// `EI θ'' = P (1 + P/EA) θ`, `θ = M sinh(k s)/(EI k cosh(k L))` under a small moment at its end. Curvatures per
+/// deformed length would change `k` by a tenth.
 #[test]
 fn strains_are_per_undeformed_length() {
     let (force, torque, moment) = (2000.0_f64, 3.0, 0.1);
@@ -123,7 +130,8 @@ fn a_rod_that_is_paid_out_closes_the_circle() {
     assert!(gap < 7e-6 && (value(&simulation, "energy.elastic") / energy - 1.0).abs() < 2e-5, "{gap:e}");
 }
 
-/// The same rods as rectangles: a warning names the law of large strain with its size, and so does the message of a path that breaks off. Their outermost fibers strain by 10.9 % in the circle.
+/// The same rods as rectangles: a warning names the law of large strain with its size, and so does the message of a
+/// path that breaks off. Their outermost fibers strain by 10.9 % in the circle.
 #[test]
 fn the_law_of_large_strain_is_named_where_fibers_strain_far() {
     let turn = "moment = [0, 0, \"20*pi*t\"]";

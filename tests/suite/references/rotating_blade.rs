@@ -1,13 +1,17 @@
-//! A blade that turns and tapers: its flapping must have the published frequencies. Centrifugal tension, taper and their integrals over elements all enter; without the tension the first frequency at the largest
-//! speed would be 43 % lower.
+//! A blade that turns and tapers: its flapping must have the published frequencies. Centrifugal tension, taper and
+//! their integrals over elements all enter; without the tension the first frequency at the largest speed would be 43 %
+//! lower.
 //!
-//! Reference: Hodges and Rutkowski, Free-vibration analysis of rotating beams by a variable-order finite-element method, AIAA Journal 19 (1981): a blade whose mass per length falls by half towards its tip and
-//! whose bending stiffness falls with its third power, without a hub. Ritz's method with ten polynomials finds the same numbers here, so that they are not misread.
+//! Reference: Hodges and Rutkowski, Free-vibration analysis of rotating beams by a variable-order finite-element
+//! method, AIAA Journal 19 (1981): a blade whose mass per length falls by half towards its tip and whose bending
+//! stiffness falls with its third power, without a hub. Ritz's method with ten polynomials finds the same numbers here,
+//! so that they are not misread.
 
 use ancf14_testing::blades::{REPORT, TABLE, at_standstill, flapping};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// The two lowest frequencies at the speed `speed` by Ritz's method, both without a unit; the blade has length, mass per length and stiffness 1 at its root.
+/// The two lowest frequencies at the speed `speed` by Ritz's method, both without a unit; the blade has length, mass
+/// per length and stiffness 1 at its root.
 fn ritz(speed: f64) -> [f64; 2] {
     const TERMS: usize = 10;
     let cells = 400;
@@ -42,9 +46,11 @@ fn ritz(speed: f64) -> [f64; 2] {
     [all[0], all[1]]
 }
 
-/// Ritz's method finds the numbers of the table to their last digit; the run finds them to 3e-4 in the first mode and 2e-3 in the second, of which steps of 0.08 rad lengthen the period by a twelfth of their square,
-/// and the window leaves 1e-4. The blade is a hundredth of its length wide: the element knows the inertia of sections about the tangent, which a turning blade takes up where it is inclined, but not the one of
-/// bending, which would cancel it; a width of a twentieth lowers the first frequency by 3e-4.
+/// Ritz's method finds the numbers of the table to their last digit; the run finds them to 3e-4 in the first mode and
+/// 2e-3 in the second, of which steps of 0.08 rad lengthen the period by a twelfth of their square, and the window
+/// leaves 1e-4. The blade is a hundredth of its length wide: the element knows the inertia of sections about the
+/// tangent, which a turning blade takes up where it is inclined, but not the one of bending, which would cancel it; a
+/// width of a twentieth lowers the first frequency by 3e-4.
 #[test]
 fn flapping_frequencies_are_those_of_the_tables() {
     for [speed, first, second] in TABLE {
@@ -56,8 +62,10 @@ fn flapping_frequencies_are_those_of_the_tables() {
     }
 }
 
-/// The shipped blade at standstill against the frequencies of its turbine (Jonkman, Butterfield, Musial and Scott, Definition of a 5-MW reference wind turbine, NREL/TP-500-38060, 2009, table 9-1, FAST and
-/// ADAMS): first collective flapwise, first asymmetric edgewise (yaw), second collective flapwise. In the table tower and shaft move with the blades, which the single blade does not know: 2 %.
+/// The shipped blade at standstill against the frequencies of its turbine (Jonkman, Butterfield, Musial and Scott,
+/// Definition of a 5-MW reference wind turbine, NREL/TP-500-38060, 2009, table 9-1, FAST and ADAMS): first collective
+/// flapwise, first asymmetric edgewise (yaw), second collective flapwise. In the table tower and shaft move with the
+/// blades, which the single blade does not know: 2 %.
 #[test]
 fn the_reference_blade_has_the_frequencies_of_its_report() {
     let found = at_standstill();

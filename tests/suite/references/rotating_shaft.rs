@@ -1,9 +1,10 @@
-//! The paper's unbalanced shaft (section 5.3) from its model file, six elements, against an independent geometrically exact code
-//! extrapolated to zero mesh and step. It holds bodies, a drive, an equilibrium to start from, gyroscopic terms and the twist of the
-//! shaft together: a missing gyroscopic term alone shows at 4e-3 of the range.
+//! The paper's unbalanced shaft (section 5.3) from its model file, six elements, against an independent geometrically
+//! exact code extrapolated to zero mesh and step. It holds bodies, a drive, an equilibrium to start from, gyroscopic
+//! terms and the twist of the shaft together: a missing gyroscopic term alone shows at 4e-3 of the range.
 //!
-//! Bounds: the mesh of six elements costs 4e-4 m at the resonance (MECHANICS, trap 19), the step of 0.5 ms 1.6e-4 m up to 1.5 s and
-//! 6e-4 m up to 2.5 s (MECHANICS 7.3), the reference is good for 6e-4 m at the end: 0.2 and 0.6 % of 0.2755 m.
+//! Bounds: the mesh of six elements costs 4e-4 m at the resonance (MECHANICS, trap 19), the step of 0.5 ms 1.6e-4 m up
+//! to 1.5 s and 6e-4 m up to 2.5 s (MECHANICS 7.3), the reference is good for 6e-4 m at the end: 0.2 and 0.6 % of
+//! 0.2755 m.
 
 use crate::curves::{Curves, largest};
 use ancf14::fmi::Model;
@@ -18,7 +19,8 @@ const REFERENCE: &str = include_str!("../../../models/rotating_shaft.csv");
 /// Range of the motion, m.
 const RANGE: f64 = 0.2755;
 
-/// Largest error of y and z over the range, up to 1.5 s and up to 2.5 s, and of the twist over its largest value up to 1.5 s.
+/// Largest error of y and z over the range, up to 1.5 s and up to 2.5 s, and of the twist over its largest value up to
+/// 1.5 s.
 fn errors(curves: &Curves) -> [f64; 3] {
     let reference = Curves::read(REFERENCE);
     let of =
@@ -86,8 +88,9 @@ fn order_in_the_step_is_two() {
     assert!((order - 2.07).abs() < 0.1, "{order}");
 }
 
-/// First bending frequencies about the sagging shaft at rest: in the plane of the disk's offset, which couples with torsion, and across.
-/// The drive holds its angle; the eigenproblem is that of the constrained tangent and mass matrices.
+/// First bending frequencies about the sagging shaft at rest: in the plane of the disk's offset, which couples with
+/// torsion, and across. The drive holds its angle; the eigenproblem is that of the constrained tangent and mass
+/// matrices.
 #[test]
 fn first_frequencies() {
     let text = MODEL.replace("gravity = [0.0, 0.0, -9.81]", "gravity = [0.0, 0.0, 0.0]");

@@ -1,6 +1,6 @@
-//! A cantilever shaken by a moving frame: by expressions of time, and by a host that gives the pose. What a host sets is reached at the end
-//! of the communication step: at the ends of steps both machines are held at the same places, so that only the shape of the motion in
-//! between, which no internal step sees if steps are the same, could differ.
+//! A cantilever shaken by a moving frame: by expressions of time, and by a host that gives the pose. What a host sets
+//! is reached at the end of the communication step: at the ends of steps both machines are held at the same places, so
+//! that only the shape of the motion in between, which no internal step sees if steps are the same, could differ.
 
 use ancf14::fmi::{Model, Value};
 use ancf14::model::simulation::Simulation;
@@ -105,8 +105,9 @@ fn difference(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// With the same steps outside and inside, the host's machine goes through the same places: to round-off. Without the numerical dissipation, which begins with the
-/// strain rates of the start, and these with a velocity of the frame that the host does not give.
+/// With the same steps outside and inside, the host's machine goes through the same places: to round-off. Without the
+/// numerical dissipation, which begins with the strain rates of the start, and these with a velocity of the frame that
+/// the host does not give.
 #[test]
 fn expression_and_host_agree() {
     let still = |text: String| start(&text.replace("step = 1e-3", "step = 1e-3\nspectral_radius = 1"));
@@ -129,7 +130,8 @@ fn expression_and_host_agree() {
     assert!(sway.abs() > 1e-3, "{sway}");
 }
 
-/// A host that sets the value at the beginning of its step and the derivative is off by the curvature of the motion: order 2 in its step.
+/// A host that sets the value at the beginning of its step and the derivative is off by the curvature of the motion:
+/// order 2 in its step.
 #[test]
 fn values_with_derivatives_converge_with_order_two() {
     // All communication steps are whole numbers of internal steps: the error of these is the same on both sides.
@@ -202,8 +204,8 @@ fn the_frame_supplies_the_reaction_of_its_joint() {
     assert!((value(&still, "at_hand.reaction_force[3]") - weight).abs() < 1e-6 * weight);
 }
 
-/// A quaternion of length 0 says nothing of the orientation: the frame keeps the one it has, at the start the one that is drawn, and the log says
-/// so once. Masters set all inputs to 0 at the start.
+/// A quaternion of length 0 says nothing of the orientation: the frame keeps the one it has, at the start the one that
+/// is drawn, and the log says so once. Masters set all inputs to 0 at the start.
 #[test]
 fn regression_a_quaternion_without_length_changes_nothing() {
     let (mut zero, mut kept) = (by_host(), by_host());
@@ -244,8 +246,8 @@ fn regression_a_quaternion_without_length_changes_nothing() {
     assert!((value(&simulation, "turned.quaternion[4]") - 0.25_f64.sin()).abs() < 1e-15);
 }
 
-/// A rotation vector is an orientation like any other: the same motion as by quaternions, with the same velocities that a host gives at the
-/// start, and derivatives that are those of the vector.
+/// A rotation vector is an orientation like any other: the same motion as by quaternions, with the same velocities that
+/// a host gives at the start, and derivatives that are those of the vector.
 #[test]
 fn rotation_vectors_are_inputs_too() {
     let by_vector = format!("{REST}[frame.hand]\nposition = [0, 0, 0]\ninput = \"rotation\"\n");

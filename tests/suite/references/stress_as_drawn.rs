@@ -62,7 +62,8 @@ fn a_held_beam_is_compressed_by_heat() {
     }
 }
 
-/// A free end moves by `α T L`, and bends along the arc of a gradient: `κ = α T_z` about y; neither makes force or moment.
+/// A free end moves by `α T L`, and bends along the arc of a gradient: `κ = α T_z` about y; neither makes force or
+/// moment.
 #[test]
 fn a_free_beam_expands_and_bends() {
     let warm = at_end(&strip("elements = 3\ntemperature = \"100*t\"\nstrain = \"small\"", STATIC));
@@ -80,7 +81,8 @@ fn a_free_beam_expands_and_bends() {
     assert!(moment < 2e-3 * 2.1e11 * ABOUT_Y * curvature, "{moment}");
 }
 
-/// A strip between walls buckles at `4 π² E I/L²`, at a temperature of `4 π² I/(A L² α)`: there the lowest eigenvalue of its vibrations goes through zero.
+/// A strip between walls buckles at `4 π² E I/L²`, at a temperature of `4 π² I/(A L² α)`: there the lowest eigenvalue
+/// of its vibrations goes through zero.
 #[test]
 fn a_heated_rail_buckles_at_its_critical_temperature() {
     let critical = 4.0 * PI * PI * ABOUT_Y / (AREA * 4.0 * 1.2e-5);
@@ -122,7 +124,8 @@ fn strings_sound_at_their_tension() {
     }
 }
 
-/// A strip that is an arc without stress, drawn straight: released, its equilibrium is the arc; held, it has the moment `E I κ`.
+/// A strip that is an arc without stress, drawn straight: released, its equilibrium is the arc; held, it has the moment
+/// `E I κ`.
 #[test]
 fn a_bent_strip_pulled_straight() {
     let curvature = 0.5_f64;
@@ -140,7 +143,8 @@ fn a_bent_strip_pulled_straight() {
     assert!((torque / (2.1e11 / 2.6 * 0.229 * 0.02 * 1e-6 * 0.3) - 1.0).abs() < 3e-3, "{torque}");
 }
 
-/// Heat that comes and goes while the strip swings: the account of energy closes, with the work of heat among that of loads.
+/// Heat that comes and goes while the strip swings: the account of energy closes, with the work of heat among that of
+/// loads.
 #[test]
 fn heat_is_in_the_account_of_energy() {
     let keys = "elements = 4\ntemperature = \"30*sin(9*t)\"\ntemperature_gradient = [0, \"2e3*sin(5*t)\"]";
@@ -156,8 +160,9 @@ fn heat_is_in_the_account_of_energy() {
     assert!(most > 0.05 && drift < 1e-6 * most, "{drift} {most}");
 }
 
-/// A section that turns at a node: the gradient of the heat is that of the turned section, and so are its stress and its moments. A strip of two pieces, the
-/// second turned by a right angle, is warmed along its own z: it bends the first piece about y, the second one about the z of the first.
+/// A section that turns at a node: the gradient of the heat is that of the turned section, and so are its stress and
+/// its moments. A strip of two pieces, the second turned by a right angle, is warmed along its own z: it bends the
+/// first piece about y, the second one about the z of the first.
 #[test]
 fn heat_follows_the_axes_of_a_section_that_turns() {
     let keys = "elements = 4\ntemperature_gradient = [0, \"5e3*t\"]";

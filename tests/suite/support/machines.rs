@@ -99,7 +99,8 @@ pub fn clamp(builder: &mut SystemBuilder, beam: usize) {
     hold(builder, "root", beam, 0.0, &Mat3::identity(), weld::PRIMITIVES);
 }
 
-/// A dead force and moment on the section of `beam` at `fraction`; they grow in proportion to time and are there in full at 1 s.
+/// A dead force and moment on the section of `beam` at `fraction`; they grow in proportion to time and are there in
+/// full at 1 s.
 pub fn load(builder: &mut SystemBuilder, beam: usize, fraction: f64, force: Vec3, moment: Vec3) {
     let marker = builder.section_at(beam, fraction);
     let growing = |v: Vec3| {
@@ -113,8 +114,8 @@ pub fn load(builder: &mut SystemBuilder, beam: usize, fraction: f64, force: Vec3
     });
 }
 
-/// Small enough that what Newton leaves of a step does not show in momenta and energies: what it leaves is a hundredth of it, and ten thousand times it of the
-/// first correction.
+/// Small enough that what Newton leaves of a step does not show in momenta and energies: what it leaves is a hundredth
+/// of it, and ten thousand times it of the first correction.
 const TOLERANCE: f64 = 1e-12;
 
 /// Integrates from the state as drawn by the midpoint rule: see [`march`].
@@ -128,7 +129,8 @@ pub fn integrate(
     march(system, state, &mut Midpoint::new(system, spectral_radius, steps.0, TOLERANCE), steps, watch)
 }
 
-/// Integrates from the state as drawn: projects the velocities, takes `count` steps of `step` and shows each state to `watch`.
+/// Integrates from the state as drawn: projects the velocities, takes `count` steps of `step` and shows each state to
+/// `watch`.
 pub fn march(
     system: &System,
     state: &mut State,
@@ -147,8 +149,8 @@ pub fn march(
     Ok(())
 }
 
-/// Runs a model by `steps.1` internal steps of `steps.0` s with the spectral radius `radius`: by what its energy changes beyond the work that is accounted for, J, and by
-/// how much it changes, J.
+/// Runs a model by `steps.1` internal steps of `steps.0` s with the spectral radius `radius`: by what its energy
+/// changes beyond the work that is accounted for, J, and by how much it changes, J.
 pub fn drift(text: &str, radius: f64, steps: (f64, u32)) -> [f64; 2] {
     let document = Document::parse("model.toml", text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}"));
     let built = builder::build(&document, 0.0).unwrap_or_else(|mistakes| panic!("{mistakes}"));

@@ -1,5 +1,5 @@
-//! A machine in a random state, and its markers and measures written a second time over any dual number: the oracle for the
-//! derivatives of joints, drives, springs and loads. A dropped term shows at 1e-2 or more; the bound is rounding.
+//! A machine in a random state, and its markers and measures written a second time over any dual number: the oracle for
+//! the derivatives of joints, drives, springs and loads. A dropped term shows at 1e-2 or more; the bound is rounding.
 
 use crate::elements::ancf24_oracle;
 use crate::elements::element_derivatives::{random_element_state, stiffness, straight};
@@ -38,8 +38,8 @@ pub const ALL: usize = COUNT + 1;
 pub type All<D> = SVector<D, ALL>;
 pub type Dual = Dual2SVec64<ALL>;
 
-/// Two elements of two beams (nodes 0, 1 and 2, 3), one of ANCF24 (nodes 4, 5) with sheared and stretched sections, a body whose directors are
-/// not orthonormal, a moving frame and a drive, in a random state.
+/// Two elements of two beams (nodes 0, 1 and 2, 3), one of ANCF24 (nodes 4, 5) with sheared and stretched sections, a
+/// body whose directors are not orthonormal, a moving frame and a drive, in a random state.
 pub struct Machine {
     pub mesh: Mesh,
     pub q: SVector<f64, COUNT>,
@@ -218,7 +218,8 @@ pub fn any_marker(random: &mut Random, kind: usize) -> Marker {
     }
 }
 
-/// Pairs of kinds that may be joined; the last ones are of ANCF24, and sections inside elements, bare and with an arm, which springs hold on to.
+/// Pairs of kinds that may be joined; the last ones are of ANCF24, and sections inside elements, bare and with an arm,
+/// which springs hold on to.
 pub const SIDES: [[usize; 2]; 16] = [
     [0, 2],
     [1, 2],

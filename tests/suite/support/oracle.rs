@@ -1,6 +1,6 @@
-//! The element's energy written a second time, straight from the definitions, over any dual number: automatic differentiation
-//! of it is the oracle for the closed gradient and Hessian. It shares no formula with the closed form but the definitions:
-//! vectors in space instead of components, no derivative by hand.
+//! The element's energy written a second time, straight from the definitions, over any dual number: automatic
+//! differentiation of it is the oracle for the closed gradient and Hessian. It shares no formula with the closed form
+//! but the definitions: vectors in space instead of components, no derivative by hand.
 
 use ancf14::mechanics::beam::ancf14::element::Element;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
@@ -63,7 +63,8 @@ fn interpolate<D: Scalar>(weights: &[f64; 4], q: &[D]) -> Vector<D> {
     std::array::from_fn(|i| q[i] * weights[0] + q[3 + i] * weights[1] + q[7 + i] * weights[2] + q[10 + i] * weights[3])
 }
 
-/// Section axes at `xi` inside the element (2.10-2.13, with the internal coordinate `bubble` of 5.3), and the total twist T.
+/// Section axes at `xi` inside the element (2.10-2.13, with the internal coordinate `bubble` of 5.3), and the total
+/// twist T.
 pub fn inside<D: Scalar>(
     element: &Element,
     q: &[D],

@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-/// Mean period (s) and logarithmic decrement per period between the first and the last maximum of equally spaced samples.
+/// Mean period (s) and logarithmic decrement per period between the first and the last maximum of equally spaced
+/// samples.
 pub fn period_and_decrement(samples: &[f64], step: f64) -> (f64, f64) {
     let mut maxima = Vec::new();
     for (number, window) in samples.windows(3).enumerate() {

@@ -1,5 +1,5 @@
-//! What tests of joints put together: the ground, a moving frame, bodies and beams at random, every kind of joint between two of
-//! them, and the motions that a kind leaves free, from its definition.
+//! What tests of joints put together: the ground, a moving frame, bodies and beams at random, every kind of joint
+//! between two of them, and the motions that a kind leaves free, from its definition.
 
 use crate::random::Random;
 use crate::support::machines::design;

@@ -1,5 +1,6 @@
-//! Forces that alternate from step to step are an artifact of the steps, and are told where every step can be seen. A vibration that the step resolves, or that
-//! numerical damping takes away, is not warned of; nor are loads of a static analysis, which may do what they want.
+//! Forces that alternate from step to step are an artifact of the steps, and are told where every step can be seen. A
+//! vibration that the step resolves, or that numerical damping takes away, is not warned of; nor are loads of a static
+//! analysis, which may do what they want.
 
 use crate::running::{run, start, value};
 use ancf14::fmi::Model;
@@ -34,7 +35,8 @@ fn vibrations_far_too_fast_for_the_step_are_told_once() {
     assert!(matches!(&found[..], [one] if told.iter().all(|words| one.contains(words))), "{found:?}");
 }
 
-/// From four steps a period on nothing turns the other way at every step; numerical damping leaves nothing of it after ten.
+/// From four steps a period on nothing turns the other way at every step; numerical damping leaves nothing of it after
+/// ten.
 #[test]
 fn vibrations_that_steps_resolve_or_damp_are_not_warned_of() {
     for (settings, every) in [
@@ -61,7 +63,8 @@ fn equilibria_may_alternate() {
     assert_eq!(warnings(&text.replace("[simulation]", load), 0.1), Vec::<String>::new());
 }
 
-/// A pendulum about a skew axis, whose joint has no moment to bear: what is read is round-off, which alternates for 15 steps.
+/// A pendulum about a skew axis, whose joint has no moment to bear: what is read is round-off, which alternates for 15
+/// steps.
 #[test]
 fn round_off_is_not_warned_of() {
     let text = "format = 1\n[model]\nname = \"Pin\"\ngravity = [0, 0, -9.81]\n\
@@ -74,10 +77,12 @@ fn round_off_is_not_warned_of() {
     assert_eq!(simulation.take_warnings(), Vec::<String>::new());
 }
 
-/// A steel rod that is pulled from its first instant on. Its material stops its first axial vibration, `omega` = 8.1e3 rad/s, within `1/(c omega²)`, a 66th of a step, and creeps on for
-/// `c`, a step. The velocities at the ends of the steps then turn about with every step and fade by 6 % a step, and the viscous force that follows from them by as much as the load.
-/// The mean forces of the steps alternate by `2/(c h omega²)` of it, 3 %; a third of that is the bound here, for the mean of two steps has next to none of it. The creep has ended
-/// after 10 steps: its inertia is 1.5 % of the load times `exp(-10)`.
+/// A steel rod that is pulled from its first instant on. Its material stops its first axial vibration, `omega` = 8.1e3
+/// rad/s, within `1/(c omega²)`, a 66th of a step, and creeps on for `c`, a step. The velocities at the ends of the
+/// steps then turn about with every step and fade by 6 % a step, and the viscous force that follows from them by as
+/// much as the load. The mean forces of the steps alternate by `2/(c h omega²)` of it, 3 %; a third of that is the
+/// bound here, for the mean of two steps has next to none of it. The creep has ended after 10 steps: its inertia is 1.5
+/// % of the load times `exp(-10)`.
 #[test]
 fn viscous_forces_of_what_stops_at_once_do_not_alternate() {
     let text = "format = 1\n[model]\nname = \"Rod\"\ngravity = [0, 0, 0]\n\

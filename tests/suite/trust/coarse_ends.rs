@@ -1,6 +1,7 @@
-//! Is a clamped end of a taut beam told whose element does not resolve the bend there? Under a tension `T` the moment at the clamp is `F √(EI/T)` for a force `F` across
-//! the other end. A longer element gives another moment, while the energy hardly changes, which the check of the whole mesh looks at. Ends that are fine enough, that can
-//! turn, or that are pressed are not told.
+//! Is a clamped end of a taut beam told whose element does not resolve the bend there? Under a tension `T` the moment
+//! at the clamp is `F √(EI/T)` for a force `F` across the other end. A longer element gives another moment, while the
+//! energy hardly changes, which the check of the whole mesh looks at. Ends that are fine enough, that can turn, or that
+//! are pressed are not told.
 
 use crate::running::{run, start, value};
 use ancf14::fmi::Model;
@@ -10,7 +11,8 @@ const BENDING: f64 = 2.1e11 * std::f64::consts::PI * 0.005 * 0.005 * 0.005 * 0.0
 const TENSION: f64 = 1e5;
 const ACROSS: f64 = 1e3;
 
-/// A steel rod of 1 m, radius 5 mm, in `elements` elements, held by `joint` at its start and pulled by `along` N at its end.
+/// A steel rod of 1 m, radius 5 mm, in `elements` elements, held by `joint` at its start and pulled by `along` N at its
+/// end.
 fn rod(elements: usize, joint: &str, along: f64, simulation: &str) -> String {
     format!(
         "format = 1\n[model]\nname = \"Rod\"\n[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\ndamping = 1e-4\n\
@@ -25,7 +27,8 @@ fn rod(elements: usize, joint: &str, along: f64, simulation: &str) -> String {
 const WELD: &str = "type = \"weld\"";
 const STATIC: &str = "analysis = \"static\"\nstep = 1\n";
 
-/// The warnings of clamped ends in a run to `stop` with rows each `every` s, and the moment at the clamp at its end, N m.
+/// The warnings of clamped ends in a run to `stop` with rows each `every` s, and the moment at the clamp at its end, N
+/// m.
 fn told(text: &str, every: f64, stop: f64) -> (Vec<String>, f64) {
     let mut simulation = start(text);
     run(&mut simulation, every, stop, |_| ());
@@ -34,8 +37,8 @@ fn told(text: &str, every: f64, stop: f64) -> (Vec<String>, f64) {
     (warnings.filter(|warning| warning.contains("at the clamped end")).collect(), moment)
 }
 
-/// With elements of 8 bending lengths the moment is off by half of it, and a warning names end, length and remedy. With elements of 0.8
-/// bending lengths, which the remedy asks for, it is right to 2 %, and there is none.
+/// With elements of 8 bending lengths the moment is off by half of it, and a warning names end, length and remedy. With
+/// elements of 0.8 bending lengths, which the remedy asks for, it is right to 2 %, and there is none.
 #[test]
 fn a_clamp_that_its_element_does_not_resolve_is_told() {
     let bending_length = (BENDING / TENSION).sqrt();

@@ -1,6 +1,7 @@
-//! A mesh that is too coarse for what the machine does is told, by two estimates that closed forms check: the strain energy that the elements leave out, and
-//! section forces and moments that are off where they are read. An estimate from jumps alone would miss both: under a uniform load nothing jumps at the nodes of a
-//! uniform mesh. Meshes that are fine enough are not warned of.
+//! A mesh that is too coarse for what the machine does is told, by two estimates that closed forms check: the strain
+//! energy that the elements leave out, and section forces and moments that are off where they are read. An estimate
+//! from jumps alone would miss both: under a uniform load nothing jumps at the nodes of a uniform mesh. Meshes that are
+//! fine enough are not warned of.
 
 use crate::running::{run, start, value};
 use ancf14::fmi::Model;
@@ -33,8 +34,8 @@ fn energies(simulation: &Simulation) -> [f64; 2] {
     [error.energy, error.left_out]
 }
 
-/// Exact energies: `q² L⁵/(40 EI)` under a load across the rod, `m² L³/(6 GJ)` under a torque, both uniform. The estimate is what the run lacks, to the
-/// 1e-6 of the largest slope.
+/// Exact energies: `q² L⁵/(40 EI)` under a load across the rod, `m² L³/(6 GJ)` under a torque, both uniform. The
+/// estimate is what the run lacks, to the 1e-6 of the largest slope.
 #[test]
 fn the_energy_left_out_is_what_a_run_lacks() {
     for elements in [2, 3, 6] {
@@ -50,7 +51,8 @@ fn the_energy_left_out_is_what_a_run_lacks() {
     }
 }
 
-/// Under a uniform load a moment that is read at a node is off by `q l²/12`, and at the clamp it is `q L²/2`: smooth moments are right at both.
+/// Under a uniform load a moment that is read at a node is off by `q l²/12`, and at the clamp it is `q L²/2`: smooth
+/// moments are right at both.
 #[test]
 fn smooth_moments_are_right_where_read_ones_are_off() {
     let outputs = "[output.foot]\nat = \"rod.start\"\nquantities = [\"section_moment\"]\n\
@@ -108,7 +110,8 @@ fn torsion_that_elements_cannot_follow_is_told() {
     }
 }
 
-/// A blow shorter than elements resolve makes waves that are shorter than two elements. Thirty times as fine a mesh follows them.
+/// A blow shorter than elements resolve makes waves that are shorter than two elements. Thirty times as fine a mesh
+/// follows them.
 #[test]
 fn waves_shorter_than_elements_are_told() {
     let blow = "[load.blow]\nat = \"rod.end\"\nforce = [0, 0, [{ until = 1e-4, is = \"100\" }, { is = \"0\" }]]\n\
@@ -118,7 +121,8 @@ fn waves_shorter_than_elements_are_told() {
     assert_eq!(warnings(&rod("elements = 120", blow), 1e-4, 0.01), Vec::<String>::new());
 }
 
-/// A load that is there at once bends the last element first, which leaves out much of the energy there is. It does not stay like that.
+/// A load that is there at once bends the last element first, which leaves out much of the energy there is. It does not
+/// stay like that.
 #[test]
 fn sudden_loads_on_a_good_mesh_are_not_warned_of() {
     for every in [2e-5, 1e-4, 1e-3] {
@@ -127,8 +131,8 @@ fn sudden_loads_on_a_good_mesh_are_not_warned_of() {
     }
 }
 
-/// Two elements under a uniform load: in the middle the moment is off by `q l²/12`, a fifth of what is read there. Under a force at the tip it is a straight line,
-/// which elements have exactly.
+/// Two elements under a uniform load: in the middle the moment is off by `q l²/12`, a fifth of what is read there.
+/// Under a force at the tip it is a straight line, which elements have exactly.
 #[test]
 fn moments_that_are_off_where_they_are_read_are_told() {
     let output = "[output.mid]\nat = \"rod@0.5\"\nquantities = [\"section_moment\"]\n";
@@ -174,7 +178,8 @@ fn a_coarse_mesh_is_told_once() {
     }
 }
 
-/// The axial force of an arc at its clamp, read and smooth, N. The tangent there is clamped across the load, so that the exact force is 0.
+/// The axial force of an arc at its clamp, read and smooth, N. The tangent there is clamped across the load, so that
+/// the exact force is 0.
 fn at_the_clamp(elements: usize) -> [f64; 2] {
     let text = BEND_45.replace("elements = 8", &format!("elements = {elements}"));
     let mut simulation = start(&text);
@@ -185,8 +190,8 @@ fn at_the_clamp(elements: usize) -> [f64; 2] {
     [value(&simulation, "foot.section_force"), smooth.axial].map(f64::abs)
 }
 
-/// Under 600 N at the tip, 8 elements read 11.8 N at the clamp and 16 read 3.3 N. Smooth forces are off by a fifth of that or less; a straight line through two means
-/// would be off by as much as what is read.
+/// Under 600 N at the tip, 8 elements read 11.8 N at the clamp and 16 read 3.3 N. Smooth forces are off by a fifth of
+/// that or less; a straight line through two means would be off by as much as what is read.
 #[test]
 fn smooth_axial_forces_are_right_at_a_clamp() {
     for elements in [8, 16, 32] {
@@ -195,7 +200,8 @@ fn smooth_axial_forces_are_right_at_a_clamp() {
     }
 }
 
-/// The arc of 8 elements reads an axial force at its clamp that is not there. The elements that the warning asks for read less.
+/// The arc of 8 elements reads an axial force at its clamp that is not there. The elements that the warning asks for
+/// read less.
 #[test]
 fn axial_forces_that_are_not_there_are_told() {
     let arc =
@@ -205,7 +211,8 @@ fn axial_forces_that_are_not_there_are_told() {
     assert_eq!(arc(40), Vec::<String>::new());
 }
 
-/// The rod under a uniform load across it, clamped at one end and pinned at the other: `n` elements miss `4/(9 n⁴)` of its energy, 0.55 % for 3.
+/// The rod under a uniform load across it, clamped at one end and pinned at the other: `n` elements miss `4/(9 n⁴)` of
+/// its energy, 0.55 % for 3.
 #[test]
 fn half_a_percent_of_energy_is_told_in_equilibrium() {
     let pin = "[joint.pin]\ntype = \"spherical\"\na = \"ground\"\nb = \"rod.end\"\n";
@@ -216,7 +223,8 @@ fn half_a_percent_of_energy_is_told_in_equilibrium() {
     assert_eq!(propped("elements = 4"), Vec::<String>::new());
 }
 
-/// A cantilever that bends far under a load that follows its tip: a mesh of 28 elements has 4 % less axial force in the middle than one of 7.
+/// A cantilever that bends far under a load that follows its tip: a mesh of 28 elements has 4 % less axial force in the
+/// middle than one of 7.
 #[test]
 fn axial_forces_of_large_bends_are_told() {
     let bent = |elements: usize| {

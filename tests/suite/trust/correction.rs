@@ -1,4 +1,5 @@
-//! `correction = true`: results without the error that the lengths of the steps have caused, and what a run then says of the rest.
+//! `correction = true`: results without the error that the lengths of the steps have caused, and what a run then says
+//! of the rest.
 
 use super::time_error::{difference, estimate, oscillator, rows, shaft};
 use crate::running::{start, try_start, value};
@@ -22,8 +23,8 @@ fn told_of(step: &str) -> String {
     oscillator(step).replace("[\"displacement\"]", "[\"displacement\", \"velocity\", \"acceleration\"]")
 }
 
-/// The estimate knows the error to a share of `omega h`: derivatives lag by parts of a step, and it is damped a little. So much of it may remain, and half the step leaves an eighth. Accelerations and
-/// momenta are as computed.
+/// The estimate knows the error to a share of `omega h`: derivatives lag by parts of a step, and it is damped a little.
+/// So much of it may remain, and half the step leaves an eighth. Accelerations and momenta are as computed.
 #[test]
 fn an_oscillation_converges_with_order_three() {
     let exact = |name: &str| -> Vec<f64> {
@@ -51,7 +52,8 @@ fn an_oscillation_converges_with_order_three() {
     }
 }
 
-/// A shaft past its critical speed: with steps of 2 ms, 50 of them a turn of the whirl, a tenth of the error is left at most, and no more is told than of the uncorrected motion, which is the same.
+/// A shaft past its critical speed: with steps of 2 ms, 50 of them a turn of the whirl, a tenth of the error is left at
+/// most, and no more is told than of the uncorrected motion, which is the same.
 #[test]
 fn a_whirling_shaft_is_corrected() {
     let name = "middle.displacement[2]";
@@ -65,8 +67,9 @@ fn a_whirling_shaft_is_corrected() {
     assert_eq!(own.state().q, other.state().q);
 }
 
-/// A clamped beam that falls under its weight: vibrations that no step resolves. The told error of the motion is at least a third of the true one, as of an oscillation, with coarse and with fine steps; that of
-/// accelerations is the one of the uncorrected run.
+/// A clamped beam that falls under its weight: vibrations that no step resolves. The told error of the motion is at
+/// least a third of the true one, as of an oscillation, with coarse and with fine steps; that of accelerations is the
+/// one of the uncorrected run.
 #[test]
 fn the_remainder_is_told() {
     let file = format!("{}/models/cantilever.toml", env!("CARGO_MANIFEST_DIR"));
@@ -89,7 +92,8 @@ fn the_remainder_is_told() {
     assert_eq!(of_rough(&corrected(&told_of("5e-3"))), of_rough(&told_of("5e-3")));
 }
 
-/// A bar that swings, 10 rad/s at first, and is caught on a row: its quaternion is one of a rotation, and its corrected velocity stops with it.
+/// A bar that swings, 10 rad/s at first, and is caught on a row: its quaternion is one of a rotation, and its corrected
+/// velocity stops with it.
 #[test]
 fn rotations_and_impacts_are_kept() {
     let text = "format = 1\n[model]\nname = \"Caught\"\ngravity = [0, 0, -9.81]\n[body.bar]\nmass = 2\nposition = [0.5, 0, 0]\n\
@@ -112,7 +116,8 @@ fn rotations_and_impacts_are_kept() {
     assert!(differs, "there is something to correct");
 }
 
-/// After three periods of 20 steps each the phase is lost: a linear estimate of the error grows without bound, and its correction would too.
+/// After three periods of 20 steps each the phase is lost: a linear estimate of the error grows without bound, and its
+/// correction would too.
 #[test]
 fn a_lost_phase_is_left_alone() {
     let text = oscillator("1e-2").replace("stop = 1\n", "stop = 20\n");

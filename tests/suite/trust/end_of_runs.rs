@@ -1,4 +1,5 @@
-//! What is judged by the largest force or energy waits for it: of the little that a mechanism has at its start, nearly all may be wrong, and does not matter once it has more.
+//! What is judged by the largest force or energy waits for it: of the little that a mechanism has at its start, nearly
+//! all may be wrong, and does not matter once it has more.
 
 use crate::running::{run, start, value};
 use ancf14::fmi::Model;
@@ -12,8 +13,9 @@ fn told(text: &str, every: f64, stop: f64) -> [Vec<String>; 2] {
     [before, simulation.take_warnings()]
 }
 
-/// A chain of 850 N/m that lies on springs at its nodes and is then pulled tight. Between two nodes it hangs as a string: it bends by `q/N`, not by the `q l²/12` of a beam without tension.
-/// The energy of its bending is some joules of the kilojoules of its stretching.
+/// A chain of 850 N/m that lies on springs at its nodes and is then pulled tight. Between two nodes it hangs as a
+/// string: it bends by `q/N`, not by the `q l²/12` of a beam without tension. The energy of its bending is some joules
+/// of the kilojoules of its stretching.
 const CHAIN: &str = r#"
 format = 1
 [model]
@@ -72,7 +74,8 @@ fn taut_elements_bend_as_strings() {
     assert_eq!(simulation.take_warnings(), Vec::<String>::new());
 }
 
-/// A leaf spring of steel under 4 kN across it, with a pad that pulls along it by 1/80,000 of that: its axial force jumps there by newtons, its stress of 1.4 GPa does not.
+/// A leaf spring of steel under 4 kN across it, with a pad that pulls along it by 1/80,000 of that: its axial force
+/// jumps there by newtons, its stress of 1.4 GPa does not.
 fn leaf(pad: &str, quantity: &str) -> String {
     format!(
         "format = 1\n[model]\nname = \"Leaf\"\n[material.steel]\nyoung = 206e9\npoisson = 0.3\ndensity = 7850\n\
@@ -86,8 +89,9 @@ fn leaf(pad: &str, quantity: &str) -> String {
     )
 }
 
-/// The jump is measured by what the leaf carries there, 40 N across it: 0.05 N along it do not matter to its axial force, and 50 N to its stress matter neither, 7e4 Pa of 1e7 Pa.
-/// 50 N matter to the axial force, and are told at the end.
+/// The jump is measured by what the leaf carries there, 40 N across it: 0.05 N along it do not matter to its axial
+/// force, and 50 N to its stress matter neither, 7e4 Pa of 1e7 Pa. 50 N matter to the axial force, and are told at the
+/// end.
 #[test]
 fn a_jump_is_measured_by_what_the_beam_carries() {
     for (pad, quantity) in [("-0.05", "section_force"), ("-0.05", "stress"), ("-50", "stress")] {
@@ -99,8 +103,8 @@ fn a_jump_is_measured_by_what_the_beam_carries() {
     assert!(found.iter().any(at_end), "{found:?}");
 }
 
-/// A cantilever with a torque of 1 N m along it at its start, which linear twist follows badly, and a force of 1 kN at its end later: the mesh is right to what the force does. Without the
-/// force the same mesh is told, at the end.
+/// A cantilever with a torque of 1 N m along it at its start, which linear twist follows badly, and a force of 1 kN at
+/// its end later: the mesh is right to what the force does. Without the force the same mesh is told, at the end.
 #[test]
 fn a_coarse_mesh_of_a_small_beginning_is_not_told() {
     let rod = |force: &str| {
@@ -122,7 +126,8 @@ fn a_coarse_mesh_of_a_small_beginning_is_not_told() {
     assert_eq!([of_the_mesh("0"), of_the_mesh("1000*t")], [1, 0]);
 }
 
-/// A mass on a mount far too stiff for the steps, on which its weight falls: the force alternates by 10 N. Behind a push of 10 kN, a tenth of a second later, that is nothing.
+/// A mass on a mount far too stiff for the steps, on which its weight falls: the force alternates by 10 N. Behind a
+/// push of 10 kN, a tenth of a second later, that is nothing.
 #[test]
 fn what_alternates_at_a_start_is_measured_by_the_whole_run() {
     let mount = |push: &str| {
@@ -146,7 +151,8 @@ fn what_alternates_at_a_start_is_measured_by_the_whole_run() {
 /// A run that fails tells what has not been judged yet: the mesh may be the cause.
 #[test]
 fn a_run_that_fails_is_judged_where_it_ends() {
-    // Three elements under a uniform load, clamped and pinned, miss 4/(9 n^4) of the energy; the push has no value from 0.5 s on.
+    // Three elements under a uniform load, clamped and pinned, miss 4/(9 n^4) of the energy; the push has no value from
+    // 0.5 s on.
     let text = "format = 1\n[model]\nname = \"Rod\"\n[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n\
                 [section.round]\nshape = \"circle\"\nradius = 0.005\n\
                 [beam.rod]\nmaterial = \"steel\"\nsection = \"round\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 3\n\

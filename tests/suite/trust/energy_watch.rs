@@ -1,12 +1,13 @@
-//! Energy that loads, drives and dampers do not account for is told, whatever acts on the machine and however far apart the rows of the results are; a
-//! machine whose step resolves its motion is not warned of. A watch that looks at the total energy alone sees nothing as soon as a load acts.
+//! Energy that loads, drives and dampers do not account for is told, whatever acts on the machine and however far apart
+//! the rows of the results are; a machine whose step resolves its motion is not warned of. A watch that looks at the
+//! total energy alone sees nothing as soon as a load acts.
 
 use crate::integrators::line;
 use crate::running::{start, value};
 use ancf14::fmi::Model;
 
-/// A free steel strip that spins about its axis and tumbles, under a force of 1 nN: strains taken in the middle of a step, instead of the mean of both ends', pump energy
-/// into it from `spin * step * elements = 0.24` on.
+/// A free steel strip that spins about its axis and tumbles, under a force of 1 nN: strains taken in the middle of a
+/// step, instead of the mean of both ends', pump energy into it from `spin * step * elements = 0.24` on.
 fn strip(step: &str) -> String {
     format!(
         "format = 1\n[model]\nname = \"Strip\"\n[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n\
@@ -17,7 +18,8 @@ fn strip(step: &str) -> String {
     )
 }
 
-/// A free symmetric body with 60 rad/s under a force of 1 nN, by generalized-alpha with a radius of 0.9: 0.12 rad a step are too many.
+/// A free symmetric body with 60 rad/s under a force of 1 nN, by generalized-alpha with a radius of 0.9: 0.12 rad a
+/// step are too many.
 fn body(step: &str) -> String {
     format!(
         "format = 1\n[model]\nname = \"Body\"\n[body.b]\nmass = 1.5\nposition = [0, 0, 0]\ninertia = [0.02, 0.02, 0.008]\n\
@@ -53,7 +55,8 @@ fn resolved_motions_are_not_warned_of() {
     }
 }
 
-/// A drive that stops a mass at once, or within a step: its power jumps, and the integrator that knows powers at the ends of steps only cannot tell its work. The motion is exact, whatever the account says.
+/// A drive that stops a mass at once, or within a step: its power jumps, and the integrator that knows powers at the
+/// ends of steps only cannot tell its work. The motion is exact, whatever the account says.
 #[test]
 fn a_drive_that_stops_a_mass_takes_no_numerical_damping() {
     for rate in ["[{ until = 1, is = \"t\" }, { is = 0 }]", "\"smoothstep(0, 0.5, t) - smoothstep(1, 1.001, t)\""] {
@@ -69,7 +72,8 @@ fn a_drive_that_stops_a_mass_takes_no_numerical_damping() {
     }
 }
 
-/// A motor that works against a damper for a thousand times the kinetic energy: the sums of the work agree to their last digits.
+/// A motor that works against a damper for a thousand times the kinetic energy: the sums of the work agree to their
+/// last digits.
 #[test]
 fn steady_power_is_accounted_for() {
     for integrator in ["conserving", "undamped", "generalized_alpha"] {
@@ -109,8 +113,8 @@ fn moving_frames_on_springs_are_accounted_for() {
     }
 }
 
-/// A motion that grows from nearly nothing by many times a step, and one that begins with a jump of its rate: what a step is off by there is as large as
-/// the energy itself, and does not matter.
+/// A motion that grows from nearly nothing by many times a step, and one that begins with a jump of its rate: what a
+/// step is off by there is as large as the energy itself, and does not matter.
 #[test]
 fn sudden_starts_are_not_warned_of() {
     for rate in [
@@ -131,7 +135,8 @@ fn sudden_starts_are_not_warned_of() {
     }
 }
 
-/// Damped beams under a load that is there at once: what dampers take in the first step is not the mean of the powers at its ends.
+/// Damped beams under a load that is there at once: what dampers take in the first step is not the mean of the powers
+/// at its ends.
 #[test]
 fn damped_sudden_starts_are_not_warned_of() {
     for damping in ["1e-6", "1e-4", "1e-2"] {

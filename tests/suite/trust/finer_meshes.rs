@@ -1,4 +1,5 @@
-//! Does a static analysis tell its mesh error? It is compared with runs on meshes four times as fine, where the energy that the mesh leaves out is far too small to tell.
+//! Does a static analysis tell its mesh error? It is compared with runs on meshes four times as fine, where the energy
+//! that the mesh leaves out is far too small to tell.
 
 use super::mesh_truth::{fine, true_error};
 use crate::curves::{Curves, load};
@@ -97,7 +98,8 @@ fn warns(simulation: &mut Simulation) -> bool {
     simulation.take_warnings().iter().any(|warning| warning.contains("because of the mesh, as estimated"))
 }
 
-/// Loads grow: the largest errors are those of the last equilibrium. All that are not round-off are told within a factor of 2.
+/// Loads grow: the largest errors are those of the last equilibrium. All that are not round-off are told within a
+/// factor of 2.
 #[test]
 fn errors_are_told_within_a_factor_of_two() {
     let mut compared = 0;
@@ -138,7 +140,8 @@ fn a_coarse_twist_is_told() {
     assert!(error(&simulation, "knee.rotation").error < 1e-3);
 }
 
-/// A load that is gone at the end: the equilibrium of the most energy is looked at too, and that is the one of the same load.
+/// A load that is gone at the end: the equilibrium of the most energy is looked at too, and that is the one of the same
+/// load.
 #[test]
 fn an_equilibrium_before_the_end_counts() {
     let there_and_back = PORTAL.replace("*t\"", "*sin(pi*t)\"");
@@ -147,8 +150,8 @@ fn an_equilibrium_before_the_end_counts() {
     assert!((gone / loaded - 1.0).abs() < 1e-6, "{gone} {loaded}");
 }
 
-/// A mesh so coarse that the run might warn of all that the energy and the readings tell at its start, under the weight alone. The energy of the load, later, is looked at all the same,
-/// and is what they are judged by.
+/// A mesh so coarse that the run might warn of all that the energy and the readings tell at its start, under the weight
+/// alone. The energy of the load, later, is looked at all the same, and is what they are judged by.
 #[test]
 fn regression_an_equilibrium_after_a_coarse_one_counts() {
     let text =
@@ -182,7 +185,8 @@ fn numbers_of_a_host_count() {
     assert_eq!(simulation.mesh_errors(), other.mesh_errors());
 }
 
-/// A deep arch just below the limit load of its mesh, which is above that of the finer one: there is no equilibrium nearby to compare with, and the user hears of it.
+/// A deep arch just below the limit load of its mesh, which is above that of the finer one: there is no equilibrium
+/// nearby to compare with, and the user hears of it.
 #[test]
 fn a_limit_load_that_the_mesh_puts_too_high_is_told() {
     let (_, arch) = Arch::all().into_iter().find(|(_, arch)| arch.load == Load::At(1)).unwrap();

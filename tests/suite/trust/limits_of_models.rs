@@ -1,5 +1,5 @@
-//! Models that a mesh, a step or a static analysis cannot follow must say so, with the part, a number and a way out: a result that nobody
-//! questions, or a message about something else, is worse than none.
+//! Models that a mesh, a step or a static analysis cannot follow must say so, with the part, a number and a way out: a
+//! result that nobody questions, or a message about something else, is worse than none.
 
 use crate::curves::Curves;
 use crate::running::{start, try_start, value};
@@ -23,7 +23,8 @@ fn of_jumps(text: &str, times: &[f64]) -> Vec<String> {
     simulation.take_warnings().into_iter().filter(|warning| warning.contains("axial force jumps")).collect()
 }
 
-/// A mass between two springs under a growing load: the limit load 3.0191 N is reached at t = 0.99. The last increment of 0.05 lands on the other branch.
+/// A mass between two springs under a growing load: the limit load 3.0191 N is reached at t = 0.99. The last increment
+/// of 0.05 lands on the other branch.
 #[test]
 fn regression_a_jump_over_a_limit_point_is_told() {
     let frames = "[frame.left]\nposition = [-1, 0, 0]\n[frame.right]\nposition = [1, 0, 0]\n";
@@ -42,7 +43,8 @@ fn regression_a_jump_over_a_limit_point_is_told() {
         matches!(&found[..], [one] if one.starts_with("the equilibrium jumps to another branch between t = 0.9875 s and 1 s")),
         "{found:?}"
     );
-    // Up to 98 % of the limit load the path is smooth, however fast it becomes; a load that pulls has no limit point, also if it comes at once.
+    // Up to 98 % of the limit load the path is smooth, however fast it becomes; a load that pulls has no limit point,
+    // also if it comes at once.
     assert_eq!(warnings(&text("-2.96*t"), &times), Vec::<String>::new());
     assert_eq!(warnings(&text("3*t"), &[1.0]), Vec::<String>::new());
     assert_eq!(warnings(&text("30*t"), &times), Vec::<String>::new());
@@ -67,8 +69,8 @@ fn regression_follower_loads_are_not_called_unstable() {
     );
 }
 
-/// A damper of 1e6 N s/m stops 1 kg within a microsecond: at the end of a step of 1 ms it is at rest, and the run says that the way is not resolved. Taken in
-/// the middle of the step it would turn the velocity round for ever.
+/// A damper of 1e6 N s/m stops 1 kg within a microsecond: at the end of a step of 1 ms it is at rest, and the run says
+/// that the way is not resolved. Taken in the middle of the step it would turn the velocity round for ever.
 #[test]
 fn regression_a_stiff_damper_stops_what_it_holds() {
     let text = |damping: &str| {
@@ -87,7 +89,8 @@ fn regression_a_stiff_damper_stops_what_it_holds() {
     stiff.advance(0.01).unwrap_or_else(|failure| panic!("{}", failure.message));
     // The factor a step is 0 to round-off; the way is at most half of what one step would be without the damper.
     assert!(value(&stiff, "P.velocity[1]").abs() < 1e-12 && value(&stiff, "P.position[1]") < 0.51e-3);
-    // Up to `c h/m` = 2 the damper is taken in the middle, with its error of second order: 1/(1 + z/2)·(1 − z/2) for exp(−z).
+    // Up to `c h/m` = 2 the damper is taken in the middle, with its error of second order: 1/(1 + z/2)·(1 − z/2) for
+    // exp(−z).
     let mild = Curves::run(&text("1000"), &[]);
     let velocity = mild.column("P.velocity[1]")[1];
     assert!((velocity - 0.5 / 1.5).abs() < 1e-12, "{velocity}");
@@ -118,7 +121,8 @@ fn hanging(radius: &str, elements: u32) -> Vec<String> {
     start(&text).modes(10).unwrap_or_else(|failure| panic!("{}", failure.message)).warnings
 }
 
-/// The last element of a thin hanging line has a mode of its own, which no line has. The mesh that the warning asks for is free of it.
+/// The last element of a thin hanging line has a mode of its own, which no line has. The mesh that the warning asks for
+/// is free of it.
 #[test]
 fn regression_modes_of_a_single_element_are_told() {
     for (radius, elements, mode) in [("2e-4", 10, "mode 3"), ("1e-4", 10, "mode 1"), ("2e-4", 20, "mode 7")] {
@@ -140,7 +144,8 @@ fn rod(line: &str, elements: u32, rest: &str) -> String {
     )
 }
 
-/// Two points of a drawing that are 10 micrometers apart: the short element is named, not a motion that nothing leaves free.
+/// Two points of a drawing that are 10 micrometers apart: the short element is named, not a motion that nothing leaves
+/// free.
 #[test]
 fn regression_a_short_element_is_named() {
     let line = "curve = { points = [[0, 0, 0], [0.5, 0, 0], [0.50001, 0, 0], [1, 0, 0]], polyline = true }";
@@ -176,7 +181,8 @@ fn regression_absurd_drives_are_refused_at_once() {
     assert_eq!(value(&simulation, "statistics.iterations"), value(&start(&text), "statistics.iterations"));
 }
 
-/// A general section without fourth moments twists like the rectangle with its integrals; given too small, they are guarded.
+/// A general section without fourth moments twists like the rectangle with its integrals; given too small, they are
+/// guarded.
 #[test]
 fn regression_general_sections_stiffen_as_they_twist() {
     let text = |section: &str| {
@@ -200,8 +206,8 @@ fn regression_general_sections_stiffen_as_they_twist() {
     assert!(failure.message.contains("fourth_moments"), "{}", failure.message);
 }
 
-/// A load along a bar at an inner node: 100 N on one side, nothing on the other. Values within an element of it are neither, and say so; further away, and
-/// at a node that nothing holds, there is nothing to say.
+/// A load along a bar at an inner node: 100 N on one side, nothing on the other. Values within an element of it are
+/// neither, and say so; further away, and at a node that nothing holds, there is nothing to say.
 #[test]
 fn regression_axial_forces_beside_a_load_are_told() {
     let text = |place: &str, load: &str| {
@@ -226,8 +232,8 @@ fn regression_axial_forces_beside_a_load_are_told() {
     }
 }
 
-/// A damper at the end of a flexible beam, whose end node has next to no inertia, is not stiff: the stiffness of the beam holds that inertia. The integrator
-/// keeps its order 2.
+/// A damper at the end of a flexible beam, whose end node has next to no inertia, is not stiff: the stiffness of the
+/// beam holds that inertia. The integrator keeps its order 2.
 #[test]
 fn dampers_on_beams_keep_the_order() {
     let text = format!(
@@ -271,8 +277,8 @@ fn dampers_may_be_set_while_it_runs() {
     assert!(value(&simulation, "P.velocity[1]").abs() < 1e-12, "{}", value(&simulation, "P.velocity[1]"));
 }
 
-/// A slider on a spring with a pendulum straight below it moves linearly, until a load strikes it from the side: corrections shrink as they never did before, and the
-/// pin must hold to round-off all the same.
+/// A slider on a spring with a pendulum straight below it moves linearly, until a load strikes it from the side:
+/// corrections shrink as they never did before, and the pin must hold to round-off all the same.
 #[test]
 fn regression_a_blow_after_a_linear_motion_keeps_joints_closed() {
     let text = format!(

@@ -1,5 +1,6 @@
-//! A unit tells its host the mesh error of a motion where the model file asks for it: a coarse mesh is warned of at the end, a fine one is not, and no result changes. A host that goes back to a
-//! saved state, or sets a parameter on the way, learns that the error is not known.
+//! A unit tells its host the mesh error of a motion where the model file asks for it: a coarse mesh is warned of at the
+//! end, a fine one is not, and no result changes. A host that goes back to a saved state, or sets a parameter on the
+//! way, learns that the error is not known.
 
 use super::motion_meshes::SHAFT;
 use ancf14::fmi::Model;

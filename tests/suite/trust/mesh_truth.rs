@@ -15,7 +15,8 @@ pub fn fine(text: &str) -> Curves {
     Curves::run(text, &overrides)
 }
 
-/// The largest difference between `rows` and `fine` in the components of the result called `name`, as a share of their range in `rows`.
+/// The largest difference between `rows` and `fine` in the components of the result called `name`, as a share of their
+/// range in `rows`.
 pub fn true_error(rows: &Curves, fine: &Curves, name: &str) -> f64 {
     let (mut range, mut truth) = (0.0_f64, 0.0_f64);
     for column in rows.names().iter().filter(|column| column.split('[').next() == Some(name)) {

@@ -117,8 +117,9 @@ fn error(simulation: &Simulation, name: &str) -> f64 {
     errors.iter().find(|own| own.name == name).unwrap_or_else(|| panic!("no error of {name}: {errors:?}")).error
 }
 
-/// All errors that are more than what the steps cause are told: at least half of them where vibrations that the mesh does not resolve lower the order below the
-/// assumed one, and, where the order is the elements' own, 4, at most `(2^4 - 1)/(2^2 - 1) = 5` times.
+/// All errors that are more than what the steps cause are told: at least half of them where vibrations that the mesh
+/// does not resolve lower the order below the assumed one, and, where the order is the elements' own, 4, at most `(2^4
+/// - 1)/(2^2 - 1) = 5` times.
 #[test]
 fn errors_of_motions_are_told() {
     let (mut compared, mut off) = (0, Vec::new());
@@ -214,7 +215,8 @@ fn numbers_of_a_host_count_in_motions() {
     let set = run(&[], Some(5.0));
     let written = run(&[(String::from("push"), String::from("5"))], None);
     assert_eq!(set.mesh_errors(), written.mesh_errors());
-    // Without the input in both, they would be apart by its share of the motion, about a third, and the error would be told as a third of that or more.
+    // Without the input in both, they would be apart by its share of the motion, about a third, and the error would be
+    // told as a third of that or more.
     let off = error(&set, "end.rotation");
     assert!((1e-4..0.05).contains(&off), "{off}");
 }

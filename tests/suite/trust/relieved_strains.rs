@@ -1,6 +1,7 @@
-//! Beams that follow their heat or their prestress freely hold no force and no energy, but for what their mesh makes of it. Such forces and energies have no range of their own to be
-//! compared with: a share of it would call a result wrong that is right to a millionth. They are compared with what the same deformation holds without heat or prestress. A beam that is
-//! held against its heat is judged by what it holds, as any other.
+//! Beams that follow their heat or their prestress freely hold no force and no energy, but for what their mesh makes of
+//! it. Such forces and energies have no range of their own to be compared with: a share of it would call a result wrong
+//! that is right to a millionth. They are compared with what the same deformation holds without heat or prestress. A
+//! beam that is held against its heat is judged by what it holds, as any other.
 
 use crate::running::value;
 use ancf14::fmi::Model;
@@ -42,8 +43,9 @@ fn concluded(text: &str, every: f64, stop: f64) -> (Simulation, Vec<String>) {
     (simulation, told)
 }
 
-/// A gradient of heat bends the strip to an arc of 0.48/m: the tip is right to 1e-6, as the mesh is to order 4, `(0.12)⁴/720` of a turn of 1 rad a length, and the energy to 1e-6 of
-/// `EI κ² L/2`, which the same bend would hold without heat.
+/// A gradient of heat bends the strip to an arc of 0.48/m: the tip is right to 1e-6, as the mesh is to order 4,
+/// `(0.12)⁴/720` of a turn of 1 rad a length, and the energy to 1e-6 of `EI κ² L/2`, which the same bend would hold
+/// without heat.
 #[test]
 fn a_strip_that_heat_bends_freely_is_right_and_not_warned_of() {
     let bent: f64 = 1.2e-5 * 4e4;
@@ -61,7 +63,8 @@ fn a_strip_that_heat_bends_freely_is_right_and_not_warned_of() {
     assert!((moment.error / (bent * bent / 16.0 / 12.0) - 1.0).abs() < 0.3, "{moment:?}");
 }
 
-/// Pretension of a bar that nothing holds, and a curvature and a torsion that a strip takes freely, in equilibria and at rest, where the last digits are all that moves.
+/// Pretension of a bar that nothing holds, and a curvature and a torsion that a strip takes freely, in equilibria and
+/// at rest, where the last digits are all that moves.
 #[test]
 fn prestress_that_nothing_holds_is_not_warned_of() {
     for beam in ["pretension = 1e4", "free_curvature = [0, 1]", "free_torsion = 1", "temperature = \"100\""] {
@@ -72,7 +75,8 @@ fn prestress_that_nothing_holds_is_not_warned_of() {
     }
 }
 
-/// A strip that is turned by the frame that it is welded to has no strain at all: forces of 1e-14 of its rigidities are round-off.
+/// A strip that is turned by the frame that it is welded to has no strain at all: forces of 1e-14 of its rigidities are
+/// round-off.
 #[test]
 fn a_strip_that_is_turned_has_no_forces_to_be_off() {
     let frame = "[frame.hand]\nposition = [0, 0, 0]\nrotation = [0, \"t\", \"0.3*t\"]\n";
@@ -80,7 +84,8 @@ fn a_strip_that_is_turned_has_no_forces_to_be_off() {
     assert_eq!(concluded(&text, 0.1, 1.0).1, Vec::<String>::new());
 }
 
-/// Held at both ends against its heat the strip relieves nothing: its force is `EA α T`, and its energy is judged by itself.
+/// Held at both ends against its heat the strip relieves nothing: its force is `EA α T`, and its energy is judged by
+/// itself.
 #[test]
 fn a_held_strip_is_judged_by_what_it_holds() {
     let wall = "[joint.wall]\ntype = \"weld\"\na = \"ground\"\nb = \"strip.end\"\n";
@@ -96,7 +101,8 @@ fn a_held_strip_is_judged_by_what_it_holds() {
     assert!((free.force / force - 1.0).abs() < 1e-4 && (free.energy / (force * force / AXIAL) - 1.0).abs() < 1e-3);
 }
 
-/// A mesh that is too coarse for a strip which heat bends unevenly is told all the same, by the places that it is wrong at.
+/// A mesh that is too coarse for a strip which heat bends unevenly is told all the same, by the places that it is wrong
+/// at.
 #[test]
 fn a_coarse_mesh_is_told_of_a_strip_that_bends_freely() {
     let text = strip("temperature_gradient = [0, \"1e4*t*sin(5*s)\"]", STATIC).replace("elements = 8", "elements = 3");

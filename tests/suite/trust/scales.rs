@@ -1,5 +1,5 @@
-//! Any system of units, any size: the equations are the same but for factors, so the results must be too. Whatever compares kilograms with
-//! kilogram square meters, or a number with a smallest one, breaks this.
+//! Any system of units, any size: the equations are the same but for factors, so the results must be too. Whatever
+//! compares kilograms with kilogram square meters, or a number with a smallest one, breaks this.
 
 use crate::curves::Curves;
 use crate::running::start;
@@ -9,8 +9,8 @@ use ancf14::model::simulation::Simulation;
 
 const LINKAGE: &str = include_str!("../../../models/four_bar.toml");
 
-/// Elastic energy of the four-bar linkage with every length and every time multiplied by `scale`, over the third power of it, J: stresses and
-/// speeds stay as they are.
+/// Elastic energy of the four-bar linkage with every length and every time multiplied by `scale`, over the third power
+/// of it, J: stresses and speeds stay as they are.
 fn scaled(scale: f64) -> f64 {
     let mut text = String::new();
     for line in LINKAGE.lines() {
@@ -39,8 +39,8 @@ fn scaled(scale: f64) -> f64 {
     curves.last("energy.elastic") / scale.powi(3)
 }
 
-/// Down to bars of ten nanometers and up to bars of ten thousand kilometers. Newton ends at 1e-8 of the size, far below the bending of some
-/// hundredths; a step more or less of it, and 100 steps, leave less than 1e-4 of the energy.
+/// Down to bars of ten nanometers and up to bars of ten thousand kilometers. Newton ends at 1e-8 of the size, far below
+/// the bending of some hundredths; a step more or less of it, and 100 steps, leave less than 1e-4 of the energy.
 #[test]
 fn regression_a_linkage_runs_at_any_size() {
     let full = scaled(1.0);
@@ -86,7 +86,8 @@ fn modes_of_soft_and_heavy_beams_are_found() {
     }
 }
 
-/// A thread of 0.2 mm and 300 m under its weight: round-off of its axial stiffness counts motions that release energy at every shift that would be best.
+/// A thread of 0.2 mm and 300 m under its weight: round-off of its axial stiffness counts motions that release energy
+/// at every shift that would be best.
 #[test]
 fn regression_modes_of_a_long_thread_are_found() {
     let text = "format = 1\n[model]\nname = \"Thread\"\ngravity = [0, 0, -9.81]\n[material.nylon]\nyoung = 2e9\npoisson = 0.4\ndensity = 1150\n\
@@ -94,12 +95,14 @@ fn regression_modes_of_a_long_thread_are_found() {
                 [beam.line]\nmaterial = \"nylon\"\nsection = \"thread\"\nfrom = [0, 0, 0]\nto = [300, 0, 0]\nelements = 20\n\
                 [joint.left]\ntype = \"weld\"\na = \"ground\"\nb = \"line.start\"\n[simulation]\nstop = 1\nstep = 1e-2\n";
     let modes = start(text).modes(10).unwrap_or_else(|failure| panic!("{}", failure.message)).modes;
-    // 3.516 sqrt(EI/(ρA))/L², with sqrt(EI/(ρA)) = r/2 sqrt(E/ρ); 20 elements are good to 1e-6, the round-off of the stretch to 1e-3.
+    // 3.516 sqrt(EI/(ρA))/L², with sqrt(EI/(ρA)) = r/2 sqrt(E/ρ); 20 elements are good to 1e-6, the round-off of the
+    // stretch to 1e-3.
     let exact = 3.516 * 0.5e-4 * (2e9_f64 / 1150.0).sqrt() / (300.0 * 300.0);
     assert!((modes[0].angular_frequency() / exact - 1.0).abs() < 1e-3, "{} {exact}", modes[0].angular_frequency());
 }
 
-/// A beam, a body, a moving frame, a frame that a host moves, a spring to the ground: drawn `x0` away in all directions, with the host's inputs moved along.
+/// A beam, a body, a moving frame, a frame that a host moves, a spring to the ground: drawn `x0` away in all
+/// directions, with the host's inputs moved along.
 fn drawn_at(x0: f64) -> Vec<(String, f64)> {
     let text = format!(
         "format = 1\n[model]\nname = \"Far\"\ngravity = [0, 0, -9.81]\n[parameters]\nx0 = {x0:e}\n\
@@ -145,14 +148,16 @@ fn drawn_at(x0: f64) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// Map coordinates are millions of meters: positions kept from there would leave newtons of round-off in the axial force of the rod.
+/// Map coordinates are millions of meters: positions kept from there would leave newtons of round-off in the axial
+/// force of the rod.
 #[test]
 fn regression_far_from_the_origin_all_is_the_same() {
     let near = drawn_at(0.0);
     assert!(near.len() > 15);
     for x0 in [1e4, 1e6, 1e8] {
         for ((name, own), (_, near)) in drawn_at(x0).iter().zip(&near) {
-            // The numbers of the file and of the host are rounded to 1e-16 x0; a host's moves by them in steps of 10 ms, twice differentiated, at 2 kg.
+            // The numbers of the file and of the host are rounded to 1e-16 x0; a host's moves by them in steps of 10
+            // ms, twice differentiated, at 2 kg.
             let rounding = 1e-16 * x0;
             let bound = 1e-6 * near.abs().max(1.0) + 2.0 * rounding / 1e-4 + 50.0 * rounding;
             assert!((own - near).abs() < bound, "{x0:e}, {name}: {own} {near}");

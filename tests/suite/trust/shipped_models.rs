@@ -1,5 +1,7 @@
-//! Who copies a shipped model copies its warnings. Each one that runs with a warning does so for a reason that stands here and in docs/gallery.md; --verify finds the errors that are told.
-//! A warning that is not in this list is a mistake of the model or of the warning. The templates of `ancf14 new` have none (crates/cli/tests/commands/new_command.rs).
+//! Who copies a shipped model copies its warnings. Each one that runs with a warning does so for a reason that stands
+//! here and in docs/gallery.md; --verify finds the errors that are told. A warning that is not in this list is a
+//! mistake of the model or of the warning. The templates of `ancf14 new` have none
+//! (crates/cli/tests/commands/new_command.rs).
 
 use ancf14::fmi::{About, Model};
 use ancf14::model::simulation::Simulation;

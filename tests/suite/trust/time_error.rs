@@ -46,8 +46,9 @@ pub(super) fn estimate(simulation: &Simulation, family: &str) -> f64 {
     errors.iter().find(|own| own.name == family).unwrap_or_else(|| panic!("no {family} in {errors:?}")).error
 }
 
-/// The leading term of the error of an oscillation is `omega t (omega h)^2 / 12`, and a sixth of it more by the dissipation; derivatives are taken half a step to a whole one
-/// late, so that what is left out is `omega h` beside it, and of the next order.
+/// The leading term of the error of an oscillation is `omega t (omega h)^2 / 12`, and a sixth of it more by the
+/// dissipation; derivatives are taken half a step to a whole one late, so that what is left out is `omega h` beside it,
+/// and of the next order.
 #[test]
 fn the_error_of_an_oscillation_is_known() {
     for (step, turn) in [("1e-3", 0.032), ("5e-4", 0.016)] {
@@ -59,7 +60,8 @@ fn the_error_of_an_oscillation_is_known() {
     }
 }
 
-/// Past the critical speed the error grows by a factor and shrinks again, while the shaft turns by many turns. A run with an eighth of the step has a 64th of the error.
+/// Past the critical speed the error grows by a factor and shrinks again, while the shaft turns by many turns. A run
+/// with an eighth of the step has a 64th of the error.
 #[test]
 fn the_error_of_a_whirling_shaft_is_known() {
     let name = "middle.displacement[2]";
@@ -82,8 +84,9 @@ fn pendulum(step: &str) -> String {
     )
 }
 
-/// A joint turns with the bar, unevenly: half of the error is that it acts where it is at the mean of a step's ends instead of at the middle of the time. Forces and accelerations at an
-/// instant are those of a motion that is off; of these the error is told that 5 % of the looks exceed, to a sixteenth of it.
+/// A joint turns with the bar, unevenly: half of the error is that it acts where it is at the mean of a step's ends
+/// instead of at the middle of the time. Forces and accelerations at an instant are those of a motion that is off; of
+/// these the error is told that 5 % of the looks exceed, to a sixteenth of it.
 #[test]
 fn the_errors_of_reactions_and_accelerations_are_known() {
     for (name, is_rough) in [
@@ -126,7 +129,8 @@ fn inexact_results_are_told() {
     }
 }
 
-/// What is known of the error is part of an FMU state: a run that goes back, or goes on from bytes, ends with the same bits.
+/// What is known of the error is part of an FMU state: a run that goes back, or goes on from bytes, ends with the same
+/// bits.
 #[test]
 fn the_error_is_part_of_the_state() {
     let text = oscillator("1e-3");

@@ -1,4 +1,5 @@
-//! The estimate of the error that the lengths of steps cause sees each force of a step: actuators, turning loads, dampers, friction, ropes, stops and locks.
+//! The estimate of the error that the lengths of steps cause sees each force of a step: actuators, turning loads,
+//! dampers, friction, ropes, stops and locks.
 
 use super::time_error::{difference, estimate, rows};
 use ancf14::model::simulation::Simulation;
@@ -18,8 +19,9 @@ const SLIDER: &str = "[body.b]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1,
 const READING: &str = "at = \"j\"\nquantities = [\"distance\", \"distance_rate\"]";
 const POINT: &str = "at = \"b\"\nquantities = [\"position\", \"angular_velocity\"]";
 
-/// The estimate is right to the next order, `omega h`, which is 2 to 5 % here. A rope begins to pull somewhere within a step: 20 %. Behind the impact of a lock two steps know no derivatives, and a jump of
-/// the second derivative is all that they have: 30 %.
+/// The estimate is right to the next order, `omega h`, which is 2 to 5 % here. A rope begins to pull somewhere within a
+/// step: 20 %. Behind the impact of a lock two steps know no derivatives, and a jump of the second derivative is all
+/// that they have: 30 %.
 const CASES: [(&str, Case); 7] = [
     (
         "controller",

@@ -1,5 +1,5 @@
-//! Physics has no preferred direction: every model in models/, turned and shifted as a whole, must give the turned result.
-//! A formula that mixes up axes, or a joint that only works along one, fails here at once.
+//! Physics has no preferred direction: every model in models/, turned and shifted as a whole, must give the turned
+//! result. A formula that mixes up axes, or a joint that only works along one, fails here at once.
 
 use crate::random::Random;
 use ancf14::fmi::Model;
@@ -21,7 +21,8 @@ fn component(value: &Value, piece: usize) -> String {
     }
 }
 
-/// A list of three, turned (and shifted where it is a place), as the text of an override. Piecewise components share their limits.
+/// A list of three, turned (and shifted where it is a place), as the text of an override. Piecewise components share
+/// their limits.
 fn turned(list: &Value, turn: &Mat3, shift: &Vec3) -> String {
     let list = list.as_array().unwrap();
     let limits: Vec<Option<&Value>> = match list.iter().find_map(Value::as_array) {
@@ -130,8 +131,8 @@ fn turned_text(mut model: Table, turn: &Mat3, shift: &Vec3) -> String {
     model.to_string()
 }
 
-/// A strain: places of some meters in doubles, over elements of a tenth, leave strains uncertain by 1e-14. So the size of a force
-/// is at least that of the force at this strain: 1e-8 of it are the round-off of stiff beams.
+/// A strain: places of some meters in doubles, over elements of a tenth, leave strains uncertain by 1e-14. So the size
+/// of a force is at least that of the force at this strain: 1e-8 of it are the round-off of stiff beams.
 const STRAIN: f64 = 1e-6;
 
 /// The smallest size that a quantity is compared with: 1 in its unit, of forces and moments that of a small strain.

@@ -1,5 +1,6 @@
-//! The rotation vector of what spins and tilts has any direction near each whole turn, and any number of turns behind it: those of two runs that differ by a thousandth of a radian may be
-//! hundreds of radians apart. Errors of rotations are therefore the turn between the two, and `tilt` tells where the axis of a spinning part is.
+//! The rotation vector of what spins and tilts has any direction near each whole turn, and any number of turns behind
+//! it: those of two runs that differ by a thousandth of a radian may be hundreds of radians apart. Errors of rotations
+//! are therefore the turn between the two, and `tilt` tells where the axis of a spinning part is.
 
 use crate::running::{run, start, value};
 use ancf14::fmi::Model;
@@ -53,7 +54,8 @@ stop = 0.5
 output_step = 2e-3
 "#;
 
-/// By half a second the rotation vector has lost half of its 24 turns, in each run others. The turns of both meshes are apart by 7e-4 rad at most, of the 1e2 rad that the components range.
+/// By half a second the rotation vector has lost half of its 24 turns, in each run others. The turns of both meshes are
+/// apart by 7e-4 rad at most, of the 1e2 rad that the components range.
 #[test]
 fn the_error_of_a_rotation_is_a_turn() {
     let mut simulation = Simulation::load("m.toml", ROTOR, &[]).unwrap();
@@ -75,7 +77,8 @@ fn the_error_of_a_rotation_is_a_turn() {
     assert!(of_tilt > 1e-4 && of_tilt < 0.05, "{of_tilt}");
 }
 
-/// The tilt of a frame is the angle that its x axis has turned by, up to half a turn and back, and none where it spins about that axis.
+/// The tilt of a frame is the angle that its x axis has turned by, up to half a turn and back, and none where it spins
+/// about that axis.
 #[test]
 fn a_tilt_is_the_angle_of_the_x_axis() {
     let text = |rotation: &str| {

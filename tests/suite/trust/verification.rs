@@ -1,6 +1,6 @@
-//! Does `--verify` tell the error of a run? The runs beside the first one must be the same machine, measured at the same material points at
-//! the same instants, and what they tell must be near the true error where a closed form gives it, and never far below. A wrong code gives
-//! error bars that are worse than none.
+//! Does `--verify` tell the error of a run? The runs beside the first one must be the same machine, measured at the
+//! same material points at the same instants, and what they tell must be near the true error where a closed form gives
+//! it, and never far below. A wrong code gives error bars that are worse than none.
 
 use crate::curves::{Curves, load};
 use ancf14::fmi::Model;
@@ -46,7 +46,8 @@ fn row<'a>(report: &'a Report, name: &str) -> &'a Row {
     report.rows.iter().find(|row| row.name == name).unwrap_or_else(|| panic!("no column {name}"))
 }
 
-/// A cantilever rolled up is an arc of a circle at every instant: the end's place is known. The estimate is within a factor of 2.
+/// A cantilever rolled up is an arc of a circle at every instant: the end's place is known. The estimate is within a
+/// factor of 2.
 #[test]
 fn estimates_meet_a_closed_form() {
     for elements in ["4", "8", "16"] {
@@ -102,8 +103,8 @@ step = 0.02
 output_step = 0.1
 "#;
 
-/// With the settings that are proposed a motion has the accuracy wanted, against one with far finer steps; and a rolled-up strip has, against
-/// the circle.
+/// With the settings that are proposed a motion has the accuracy wanted, against one with far finer steps; and a
+/// rolled-up strip has, against the circle.
 #[test]
 fn remedies_reach_the_accuracy() {
     let with = |text: &str, own: &[(&str, &str)], settings: &[String]| {
@@ -138,7 +139,8 @@ fn split(setting: &str) -> (String, String) {
     (key.to_owned(), value.trim_matches('"').to_owned())
 }
 
-/// Points that nodes are named for stay where they are, on straight beams, curves and polylines, and rows stay at their times.
+/// Points that nodes are named for stay where they are, on straight beams, curves and polylines, and rows stay at their
+/// times.
 #[test]
 fn other_meshes_measure_the_same_points() {
     let line = "[joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"arm.node[0]\"\n\
@@ -178,7 +180,8 @@ fn other_meshes_measure_the_same_points() {
     }
 }
 
-/// Internal steps end at every row. Where rows are a step apart, or nearer, half the step is half of what is really taken.
+/// Internal steps end at every row. Where rows are a step apart, or nearer, half the step is half of what is really
+/// taken.
 #[test]
 fn half_the_step_is_half_of_what_is_taken() {
     let steps = |text: &str, overrides: &[(&str, &str)]| -> Option<f64> {

@@ -1,7 +1,8 @@
 //! The files of a model, and whether one of them has been saved since.
 //!
-//! The watch polls modification times and lengths, which needs no support of the file system. It misses a save of equal length within the resolution of these times. An editor that replaces
-//! a file, writes it in pieces, or makes a missing one is no special case.
+//! The watch polls modification times and lengths, which needs no support of the file system. It misses a save of equal
+//! length within the resolution of these times. An editor that replaces a file, writes it in pieces, or makes a missing
+//! one is no special case.
 
 use super::super::ModelArguments;
 use ancf14::model::document::Document;
@@ -35,7 +36,8 @@ fn listed(model: &ModelArguments) -> Vec<PathBuf> {
 }
 
 impl Files {
-    /// Lists the files of a model before it is loaded, and the files `before`: a mistake may hide some of them, such as an include below it.
+    /// Lists the files of a model before it is loaded, and the files `before`: a mistake may hide some of them, such as
+    /// an include below it.
     pub fn of(model: &ModelArguments, before: &Self) -> Self {
         let own = stamp(&model.file);
         let paths = listed(model).into_iter().chain(before.0.keys().cloned());
@@ -82,7 +84,8 @@ mod tests {
         ModelArguments { file, overrides: Vec::new(), files: FileArguments::default() }
     }
 
-    /// A model has the files that it includes and their tables, missing ones too, and those that a mistake hides now; each change of one of them is seen, and nothing else.
+    /// A model has the files that it includes and their tables, missing ones too, and those that a mistake hides now;
+    /// each change of one of them is seen, and nothing else.
     #[test]
     fn changes_are_seen() {
         let folder = tempfile::tempdir().unwrap();

@@ -49,7 +49,8 @@ pub fn watch(model: &ModelArguments, modes: Option<u16>) -> Result<(), Stop> {
     }
 }
 
-/// Simulates, and brings the run into the page; the number of its instants, none of a run that was abandoned because its files have changed.
+/// Simulates, and brings the run into the page; the number of its instants, none of a run that was abandoned because
+/// its files have changed.
 fn shown(model: &ModelArguments, modes: Option<u16>, files: &Files, news: &News) -> Result<Option<usize>, Stop> {
     // Those of an abandoned run.
     drop(voice::take_warnings());

@@ -1,7 +1,8 @@
 //! Serves the page to browsers on this computer.
 //!
-//! It listens on the loopback interface only. Other users and other pages in the browser can reach that, too: every address has a random token, and a request must name this very
-//! computer as its host, so that no foreign name that resolves to it passes (DNS rebinding). A client that reads slowly keeps a thread of its own.
+//! It listens on the loopback interface only. Other users and other pages in the browser can reach that, too: every
+//! address has a random token, and a request must name this very computer as its host, so that no foreign name that
+//! resolves to it passes (DNS rebinding). A client that reads slowly keeps a thread of its own.
 
 use super::news::News;
 use std::error::Error;

@@ -1,5 +1,5 @@
-//! Does the program do what its user reads? Exit codes, the table of results to the letter of its contract, and files that can
-//! be looked at. A wrong code would give another code, other times, or text that does not read back.
+//! Does the program do what its user reads? Exit codes, the table of results to the letter of its contract, and files
+//! that can be looked at. A wrong code would give another code, other times, or text that does not read back.
 
 use ancf14_testing::root;
 use std::path::Path;
@@ -141,7 +141,8 @@ fn header_and_unit_are_written() {
     assert!(std::fs::read(directory.path().join("c.fmu")).expect("unit").starts_with(b"PK"));
 }
 
-/// An FMU has the libraries for other platforms that lie beside that of this one; one that is given takes the place of the one that lies there.
+/// An FMU has the libraries for other platforms that lie beside that of this one; one that is given takes the place of
+/// the one that lies there.
 #[test]
 fn libraries_for_other_platforms_are_packed() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -280,7 +281,8 @@ fn regression_stations_are_drawn_as_shapes() {
     }
 }
 
-/// A table outside of the folder of the model is refused, with the way out; that way, every command that reads a model takes it.
+/// A table outside of the folder of the model is refused, with the way out; that way, every command that reads a model
+/// takes it.
 #[test]
 fn files_elsewhere_need_a_word_of_the_user() {
     let directory = tempfile::tempdir().expect("a directory");

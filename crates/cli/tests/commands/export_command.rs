@@ -1,5 +1,6 @@
-//! Does `ancf14 export` leave files of this very run and no others, the same bytes each time, as many as were asked for, and the run as far as it came? A wrong code mixes two
-//! runs in ParaView, or fills a disk. That VTK reads the files and finds the numbers of results.csv in them, tests/fmpy/test_vtk.py holds.
+//! Does `ancf14 export` leave files of this very run and no others, the same bytes each time, as many as were asked
+//! for, and the run as far as it came? A wrong code mixes two runs in ParaView, or fills a disk. That VTK reads the
+//! files and finds the numbers of results.csv in them, tests/fmpy/test_vtk.py holds.
 
 use ancf14_testing::root;
 use std::collections::BTreeMap;
@@ -31,7 +32,8 @@ fn listed(list: &[u8]) -> Vec<(String, f64)> {
 
 const SHORT: [&str; 4] = ["--set", "simulation.stop=0.05", "--set", "arm.elements=2"];
 
-/// A file of each row of results, named in the list with its time; the same bytes in a second run; and nothing of a run before that had more.
+/// A file of each row of results, named in the list with its time; the same bytes in a second run; and nothing of a run
+/// before that had more.
 #[test]
 fn exports_are_written() {
     let directory = tempfile::tempdir().unwrap();

@@ -1,5 +1,5 @@
-//! `simulation.from_state`: a model file names the state that it begins with. The program, a program in Rust and an FMU must begin with the same bits as `--from-state`, and each
-//! mistake must be told with the place of the name.
+//! `simulation.from_state`: a model file names the state that it begins with. The program, a program in Rust and an FMU
+//! must begin with the same bits as `--from-state`, and each mistake must be told with the place of the name.
 
 use crate::printed;
 use crate::stages::{MODEL, column, rows, run};

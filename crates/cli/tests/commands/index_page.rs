@@ -1,4 +1,5 @@
-//! Is index.html the whole of a run on one page? A missing chart, a dead link, or a failed run that looks complete would mislead whoever opens it.
+//! Is index.html the whole of a run on one page? A missing chart, a dead link, or a failed run that looks complete
+//! would mislead whoever opens it.
 
 use super::command_line::{ancf14, model, text};
 use std::path::Path;
@@ -16,7 +17,8 @@ fn quoted<'a>(page: &'a str, before: &str) -> Vec<&'a str> {
     page.split(before).skip(1).map(|rest| rest.split('"').next().unwrap()).collect()
 }
 
-/// The page has every plot of the folder, in itself; its links lead to files that are there; and it needs nothing from elsewhere.
+/// The page has every plot of the folder, in itself; its links lead to files that are there; and it needs nothing from
+/// elsewhere.
 #[test]
 fn the_page_is_whole() {
     let directory = tempfile::tempdir().unwrap();

@@ -1,5 +1,6 @@
-//! Does `ancf14 run --inputs` move a mechanism as the same functions of time in the model file do? Wrong values between the rows, or a jump that is
-//! smeared over a step, would make another motion; a column that nobody reads would be an input that somebody thinks is given.
+//! Does `ancf14 run --inputs` move a mechanism as the same functions of time in the model file do? Wrong values between
+//! the rows, or a jump that is smeared over a step, would make another motion; a column that nobody reads would be an
+//! input that somebody thinks is given.
 
 use crate::printed;
 use std::fs;

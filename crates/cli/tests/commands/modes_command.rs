@@ -1,5 +1,5 @@
-//! Does `ancf14 modes` write what docs/model-file.md says, and refuse what it cannot do? Exit codes, the columns of its files to the
-//! letter, and the same bytes twice.
+//! Does `ancf14 modes` write what docs/model-file.md says, and refuse what it cannot do? Exit codes, the columns of its
+//! files to the letter, and the same bytes twice.
 
 use ancf14_testing::root;
 use std::path::Path;
@@ -113,7 +113,8 @@ fn mistakes_are_told() {
         assert_eq!(output.status.code(), Some(code), "{arguments:?}: {}", text(&output.stderr));
         assert!(text(&output.stderr).contains(expected), "{}", text(&output.stderr));
     }
-    // A body on a spring has six modes: fewer than are shown where no number is given, which is no reason for a warning.
+    // A body on a spring has six modes: fewer than are shown where no number is given, which is no reason for a
+    // warning.
     std::fs::write(directory.path().join("bob.toml"), BOB).unwrap();
     for (arguments, is_warned) in [(&["--count", "7"][..], true), (&[], false)] {
         let output = modes_of(directory.path(), "bob.toml", arguments);
@@ -137,8 +138,9 @@ fn regression_a_place_that_cannot_be_written_is_told_first() {
     assert!(!directory.path().join("half/modes.csv").exists());
 }
 
-/// `ancf14 modes` with `--set arm.element=ancf24`: the first mode's frequency and its shape, moving by one at the end and turning there by 1.3765/L (Euler and
-/// Bernoulli), within the 3e-3 of eight elements of order 2 and of shear, 1e-5.
+/// `ancf14 modes` with `--set arm.element=ancf24`: the first mode's frequency and its shape, moving by one at the end
+/// and turning there by 1.3765/L (Euler and Bernoulli), within the 3e-3 of eight elements of order 2 and of shear,
+/// 1e-5.
 #[test]
 fn the_modes_command_knows_sections() {
     let directory = tempfile::tempdir().unwrap();

@@ -4,7 +4,8 @@ use crate::command_line::{ancf14, text};
 use crate::printed;
 use std::fs;
 
-/// Every template: written, named after the file, without mistakes, notes or paths of this repository, and its run has no warning.
+/// Every template: written, named after the file, without mistakes, notes or paths of this repository, and its run has
+/// no warning.
 #[test]
 fn templates_run_as_they_are() {
     let directory = tempfile::tempdir().unwrap();

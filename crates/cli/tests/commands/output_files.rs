@@ -1,5 +1,6 @@
-//! Is a file that a command leaves behind whole, its own, and of this very run? Nothing half-made may look complete, nothing old may
-//! pass for new, no input may be written over, and exit code 0 means that everything was written. A wrong code loses work.
+//! Is a file that a command leaves behind whole, its own, and of this very run? Nothing half-made may look complete,
+//! nothing old may pass for new, no input may be written over, and exit code 0 means that everything was written. A
+//! wrong code loses work.
 #![cfg(unix)]
 
 use std::fs;
@@ -97,8 +98,8 @@ fn assert_whole(path: &Path) {
     assert!(columns.len() >= 2 && columns.iter().all(|count| *count == columns[0]), "{columns:?}");
 }
 
-/// A run that ends early leaves its rows under another name, and pictures that say so; one that fails at its start leaves nothing. In
-/// both cases nothing of the run before is left.
+/// A run that ends early leaves its rows under another name, and pictures that say so; one that fails at its start
+/// leaves nothing. In both cases nothing of the run before is left.
 #[test]
 fn regression_what_is_incomplete_looks_incomplete() {
     let place = Place::new();
@@ -161,7 +162,8 @@ fn arrays_belong_to_their_run() {
     assert!(text(&refused.stderr).contains("csv, npz"), "{}", text(&refused.stderr));
 }
 
-/// Errors are files of the run that they are of: the next run without them takes them away. A wrong accuracy is refused before anything runs.
+/// Errors are files of the run that they are of: the next run without them takes them away. A wrong accuracy is refused
+/// before anything runs.
 #[test]
 fn errors_belong_to_their_run() {
     let place = Place::new();

@@ -1,5 +1,5 @@
-//! Does `ancf14::Simulation` compute what `ancf14 run` computes? A second way to the same solver must not have its own steps, its own rows or
-//! its own warnings: numbers are compared to the last bit, warnings word by word.
+//! Does `ancf14::Simulation` compute what `ancf14 run` computes? A second way to the same solver must not have its own
+//! steps, its own rows or its own warnings: numbers are compared to the last bit, warnings word by word.
 
 use std::fs;
 use std::process::Command;

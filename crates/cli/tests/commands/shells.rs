@@ -1,4 +1,5 @@
-//! What programs and shells get: documents, pipes, completions, manual pages. A field that is lost, a line beside the document or a command without its page shows.
+//! What programs and shells get: documents, pipes, completions, manual pages. A field that is lost, a line beside the
+//! document or a command without its page shows.
 
 use crate::command_line::{ancf14, model, text};
 use crate::printed;

@@ -1,5 +1,7 @@
-//! A motion in stages: `ancf14 run --save-state` and `--from-state`. A run in two parts must give the bits of one, whatever is saved and read on the way; a second file with other loads and drives must
-//! begin where the first one has ended; the state of another mechanism must be refused in words; and the commands of docs/command-line.md must work as they are printed.
+//! A motion in stages: `ancf14 run --save-state` and `--from-state`. A run in two parts must give the bits of one,
+//! whatever is saved and read on the way; a second file with other loads and drives must begin where the first one has
+//! ended; the state of another mechanism must be refused in words; and the commands of docs/command-line.md must work
+//! as they are printed.
 
 use crate::printed;
 use ancf14_testing::root;
@@ -88,7 +90,8 @@ fn halves(settings: &str, model: &str) -> [Vec<String>; 3] {
     ["whole", "first", "second"].map(|out| rows(folder, out))
 }
 
-/// Two runs, the second one from the state of the first, have the rows of one run, byte by byte: of both integrators and in statics.
+/// Two runs, the second one from the state of the first, have the rows of one run, byte by byte: of both integrators
+/// and in statics.
 #[test]
 fn two_parts_are_one_run() {
     let equilibria = MODEL.replace("\"work\", ", "");
@@ -130,7 +133,8 @@ fn each_part_tells_its_own_steps() {
     assert_eq!((counted.first(), counted.last()), (Some(&100.0), Some(&200.0)));
 }
 
-/// Steps that the solver chooses depend on how long the run is to be: two runs are one within the accuracy of the steps, and the second one begins with the last row of the first.
+/// Steps that the solver chooses depend on how long the run is to be: two runs are one within the accuracy of the
+/// steps, and the second one begins with the last row of the first.
 #[test]
 fn chosen_steps_go_on_too() {
     let [whole, first, second] = halves("--set simulation.accuracy=1e-5", MODEL);
@@ -142,7 +146,8 @@ fn chosen_steps_go_on_too() {
     assert!(error < 1e-3 * range, "{error:e} of {range}");
 }
 
-/// A static path draws the strip, and a second file without its load lets it go: the motion begins where the path has ended, at rest, and its energy is that of the path.
+/// A static path draws the strip, and a second file without its load lets it go: the motion begins where the path has
+/// ended, at rest, and its energy is that of the path.
 #[test]
 fn another_file_begins_where_the_first_one_has_ended() {
     let folder = tempfile::tempdir().unwrap();
@@ -198,7 +203,8 @@ fn other_states_are_refused() {
     refused(MODEL, &from, "checksum");
 }
 
-/// A strip that has been paid out goes on with the length that it has, by another rate; a file that begins at another length, or pays out the other end, is refused.
+/// A strip that has been paid out goes on with the length that it has, by another rate; a file that begins at another
+/// length, or pays out the other end, is refused.
 #[test]
 fn winches_go_on_from_their_length() {
     let folder = tempfile::tempdir().unwrap();
@@ -228,7 +234,8 @@ fn winches_go_on_from_their_length() {
     }
 }
 
-/// A frame that moves is drawn where it is at t = 0 in every part of the motion: another file takes the strip over from it, and a run of that file in two parts has the bits of one.
+/// A frame that moves is drawn where it is at t = 0 in every part of the motion: another file takes the strip over from
+/// it, and a run of that file in two parts has the bits of one.
 #[test]
 fn moving_frames_go_on() {
     let folder = tempfile::tempdir().unwrap();
@@ -337,7 +344,8 @@ step = 1e-4
 totals = ["energy"]
 "#;
 
-/// A spring that the first run has wound up by three turns is wound up in the second one, which measures more. Where the angle is not that of the state, a warning says so.
+/// A spring that the first run has wound up by three turns is wound up in the second one, which measures more. Where
+/// the angle is not that of the state, a warning says so.
 #[test]
 fn angles_keep_their_turns() {
     let folder = tempfile::tempdir().unwrap();
@@ -367,7 +375,8 @@ fn angles_keep_their_turns() {
     assert!(String::from_utf8_lossy(&flipped.stderr).contains(warning));
 }
 
-/// A run that begins with a state warns of its model as any run does: of dampers that steps do not resolve, and of drives that jump.
+/// A run that begins with a state warns of its model as any run does: of dampers that steps do not resolve, and of
+/// drives that jump.
 #[test]
 fn warnings_of_the_start_are_told() {
     let folder = tempfile::tempdir().unwrap();
@@ -389,7 +398,8 @@ fn warnings_of_the_start_are_told() {
     told(&driven("0"), &driven("[{ until = 0.15, is = 0 }, { is = 0.1 }]"), "jumps by 0.1 at t = 0.15 s");
 }
 
-/// The page prints files and commands that work: the motion begins at rest where the load has drawn the strip, and swings through to the other side.
+/// The page prints files and commands that work: the motion begins at rest where the load has drawn the strip, and
+/// swings through to the other side.
 #[test]
 fn the_commands_of_the_page_work() {
     let folder = tempfile::tempdir().unwrap();

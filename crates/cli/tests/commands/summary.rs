@@ -1,5 +1,5 @@
-//! Does summary.json say what is in results.csv, and does the terminal show its extremes? A wrong column, a wrong time or an old run would
-//! mislead a program that reads nothing else.
+//! Does summary.json say what is in results.csv, and does the terminal show its extremes? A wrong column, a wrong time
+//! or an old run would mislead a program that reads nothing else.
 
 use super::command_line::{ancf14, model, text};
 use serde_json::Value;
@@ -21,7 +21,8 @@ fn is_read(number: &Value, value: f64) -> bool {
     (number.as_f64().unwrap() - value).abs() <= 2.0 * f64::EPSILON * value.abs()
 }
 
-/// Every column has the extremes, their first times and the last value that its numbers in results.csv have; `--json` prints the file.
+/// Every column has the extremes, their first times and the last value that its numbers in results.csv have; `--json`
+/// prints the file.
 #[test]
 fn the_summary_is_that_of_the_table() {
     let directory = tempfile::tempdir().unwrap();
@@ -130,7 +131,8 @@ fn warnings_are_in_the_summary() {
     assert_eq!(summary(directory.path())["warnings"], serde_json::json!(told));
 }
 
-/// Without totals the table has the columns of the outputs only, the same bytes in each; the summary and the terminal still count the steps.
+/// Without totals the table has the columns of the outputs only, the same bytes in each; the summary and the terminal
+/// still count the steps.
 #[test]
 fn tables_without_totals_are_the_rest() {
     let directory = tempfile::tempdir().unwrap();

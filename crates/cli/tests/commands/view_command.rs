@@ -1,5 +1,6 @@
-//! Does `ancf14 view` write a page that a browser opens by itself? One file, nothing loaded from elsewhere, names that do no harm, no more than a bounded size,
-//! the run as far as it came, and the program that belongs to its sources. What the page does in a browser, viewer/test holds.
+//! Does `ancf14 view` write a page that a browser opens by itself? One file, nothing loaded from elsewhere, names that
+//! do no harm, no more than a bounded size, the run as far as it came, and the program that belongs to its sources.
+//! What the page does in a browser, viewer/test holds.
 
 use ancf14_testing::root;
 use std::path::Path;
@@ -132,7 +133,8 @@ fn solver() -> Vec<u8> {
     format!("\0asm...the solver of ancf14 {} for the page...", env!("CARGO_PKG_VERSION")).into_bytes()
 }
 
-/// With the solver a page has the model and its settings too, and its policy allows the solver and nothing else. Nothing in the model ends a script.
+/// With the solver a page has the model and its settings too, and its policy allows the solver and nothing else.
+/// Nothing in the model ends a script.
 #[test]
 fn a_page_brings_the_solver() {
     let directory = tempfile::tempdir().unwrap();
@@ -203,8 +205,8 @@ fn only_files_are_watched() {
     assert_eq!(std::fs::read_dir(directory.path()).unwrap().count(), 0);
 }
 
-/// The program in the page is the one that viewer/build.mjs makes of the sources: its first line has their hash. Only node can make it anew, so a change without
-/// `npm run build` would go unseen here otherwise.
+/// The program in the page is the one that viewer/build.mjs makes of the sources: its first line has their hash. Only
+/// node can make it anew, so a change without `npm run build` would go unseen here otherwise.
 #[test]
 fn the_program_belongs_to_its_sources() {
     let viewer = root().join("viewer");

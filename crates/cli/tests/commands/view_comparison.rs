@@ -1,5 +1,6 @@
-//! Does `ancf14 view` put two runs into one page, wherever they come from: model files, pages, folders of results? A wrong code would lose a run, mix their names or data, or overwrite a page that it
-//! reads. viewer/test/browser/comparison.mjs looks at the page in a browser.
+//! Does `ancf14 view` put two runs into one page, wherever they come from: model files, pages, folders of results? A
+//! wrong code would lose a run, mix their names or data, or overwrite a page that it reads.
+//! viewer/test/browser/comparison.mjs looks at the page in a browser.
 
 use ancf14_testing::root;
 use serde_json::{Value, json};
@@ -38,7 +39,8 @@ fn script(page: &str, id: &str) -> Option<Value> {
     Some(serde_json::from_str(rest.split_once("</script>")?.0).unwrap())
 }
 
-/// Two models: the first one is the run of the page, the second one stands beside it with the names of both; settings change both.
+/// Two models: the first one is the run of the page, the second one stands beside it with the names of both; settings
+/// change both.
 #[test]
 fn two_models_share_a_page() {
     let directory = models();
@@ -58,7 +60,8 @@ fn two_models_share_a_page() {
     assert_eq!(script(&read("arm.html"), "second"), None, "a page of one run has a second one");
 }
 
-/// Pages and folders of results give the same page as the models that they were made of, but for names; a page can be written anew.
+/// Pages and folders of results give the same page as the models that they were made of, but for names; a page can be
+/// written anew.
 #[test]
 fn finished_runs_are_shown() {
     let directory = models();

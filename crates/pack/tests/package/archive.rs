@@ -180,7 +180,8 @@ fn the_library_is_found() {
     assert!(find_library(Some(Path::new("/nowhere.so")), &executable).is_err());
 }
 
-/// Libraries for other platforms are found by their folders beside the library; a folder without its file brings none, and neither does this platform's own.
+/// Libraries for other platforms are found by their folders beside the library; a folder without its file brings none,
+/// and neither does this platform's own.
 #[test]
 fn libraries_for_others_are_found() {
     let directory = tempfile::tempdir().unwrap();

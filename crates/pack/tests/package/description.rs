@@ -1,5 +1,5 @@
-//! Does modelDescription.xml say what the instance does? The whole text of the toy is golden; beyond that, rules that no
-//! checker looks at.
+//! Does modelDescription.xml say what the instance does? The whole text of the toy is golden; beyond that, rules that
+//! no checker looks at.
 
 use ancf14::fmi::{Value, variable::Causality};
 use ancf14_pack::{description::xml, error::Error};

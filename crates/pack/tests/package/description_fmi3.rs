@@ -1,4 +1,5 @@
-//! Does modelDescription.xml of FMI 3.0 say the same as that of FMI 2.0, with arrays? The whole text of the toy is golden, with its terminals.
+//! Does modelDescription.xml of FMI 3.0 say the same as that of FMI 2.0, with arrays? The whole text of the toy is
+//! golden, with its terminals.
 
 use ancf14::fmi::arrays::{arrays, time_reference};
 use ancf14::fmi::lifecycle::Standard;
@@ -45,8 +46,8 @@ fn references(text: &str, element: &str) -> Vec<usize> {
     text.split(&start).skip(1).map(|rest| rest.split('"').next().unwrap().parse().unwrap()).collect()
 }
 
-/// Of every shipped model: outputs are exactly the outputs, initial unknowns the outputs and calculated parameters, and dependencies are references
-/// of parameters and inputs, never of an element inside an array.
+/// Of every shipped model: outputs are exactly the outputs, initial unknowns the outputs and calculated parameters, and
+/// dependencies are references of parameters and inputs, never of an element inside an array.
 #[test]
 fn model_structure_is_exact() {
     for entry in std::fs::read_dir(root().join("models")).unwrap() {
@@ -96,7 +97,8 @@ fn regression_descriptions_of_arrays() {
     assert!(text.contains("variability=\"continuous\" unit=\"s\"/>") && text.contains("<Unit name=\"s\">"), "{text}");
 }
 
-/// What one unit reads is what another is given: the members have one name on both sides, whatever the variables are called.
+/// What one unit reads is what another is given: the members have one name on both sides, whatever the variables are
+/// called.
 #[test]
 fn members_match_by_name() {
     let model = root().join("tests/suite/fmi/fmi3/held.toml");
@@ -147,8 +149,9 @@ fn described(from: &str, to: &str) -> (Simulation, [String; 2]) {
     (model, texts)
 }
 
-/// Orders of magnitude follow from the mechanism as drawn: an arm of 0.5 m and 0.12 kg under 9.81 m/s², which falls over its length in 0.23 s. Without gravity only
-/// lengths are known; of quaternions, strains and parameters nothing is.
+/// Orders of magnitude follow from the mechanism as drawn: an arm of 0.5 m and 0.12 kg under 9.81 m/s², which falls
+/// over its length in 0.23 s. Without gravity only lengths are known; of quaternions, strains and parameters nothing
+/// is.
 #[test]
 fn nominals_follow_from_the_drawing() {
     let nominal = |text: &str, name: &str| -> Option<f64> {
@@ -160,7 +163,8 @@ fn nominals_follow_from_the_drawing() {
         let (_, value) = rest[..end.unwrap()].split_once("nominal=\"")?;
         Some(value.split('"').next().unwrap().parse().unwrap())
     };
-    // √(9.81 · 0.5) = 2.2 m/s and 0.12 · 9.81 = 1.2 N to the nearest powers of ten, by their logarithms: 0.5 m is nearer to 1 m.
+    // √(9.81 · 0.5) = 2.2 m/s and 0.12 · 9.81 = 1.2 N to the nearest powers of ten, by their logarithms: 0.5 m is
+    // nearer to 1 m.
     let expected = [
         ("tip.position", Some(1.0)),
         ("tip.velocity", Some(1.0)),

@@ -134,7 +134,8 @@ mod tests {
         assert!(view.place([1.0, 0.0, 0.0])[0] > origin[0] && view.place([0.0, 0.0, 1.0])[1] < origin[1]);
     }
 
-    /// A flat mechanism is seen from the side where it is flat; one along a line, or in space, obliquely. A low one has a low page.
+    /// A flat mechanism is seen from the side where it is flat; one along a line, or in space, obliquely. A low one has
+    /// a low page.
     #[test]
     fn views_suit_mechanisms() {
         let of = |points: &[[f64; 3]]| {
@@ -160,7 +161,8 @@ mod tests {
         assert!(svg(&Drawing::default(), "a < b & c", Projection::default()).contains("a &lt; b &amp; c"));
     }
 
-    /// A force along the line of sight has no length on paper: it is a circle, with a dot where it points at who looks, and a cross where it points away.
+    /// A force along the line of sight has no length on paper: it is a circle, with a dot where it points at who looks,
+    /// and a cross where it points away.
     #[test]
     fn arrows_are_seen_from_their_ends() {
         let arrow = |direction| Arrow { name: "push".to_owned(), kind: ArrowKind::Force, at: [0.0; 3], direction };

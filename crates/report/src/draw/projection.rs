@@ -67,7 +67,8 @@ impl Projection {
 mod tests {
     use super::*;
 
-    /// But for the oblique one, a view shows lengths in the paper as they are: what it shows and what points out of the paper add up to the length.
+    /// But for the oblique one, a view shows lengths in the paper as they are: what it shows and what points out of the
+    /// paper add up to the length.
     #[test]
     fn views_are_right_angled() {
         for (word, view) in PROJECTIONS.into_iter().skip(1) {
@@ -80,7 +81,8 @@ mod tests {
         }
     }
 
-    /// Each view is seen from its side: right, up and out of the paper are a right-handed triad, and z never points down.
+    /// Each view is seen from its side: right, up and out of the paper are a right-handed triad, and z never points
+    /// down.
     #[test]
     fn views_are_right_handed() {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

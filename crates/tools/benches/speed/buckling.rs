@@ -14,9 +14,10 @@ const ONSET: f64 = 1e-3;
 /// The first peak comes after this displacement, m: before it the strip trembles.
 const KICKED: f64 = 1e-2;
 
-/// A row: what it asks for, and the cheapest settings tried that reach it. Ours are of 3 to 8 elements of the strip, steps from 0.25 to
-/// 5 ms, with the defaults of all else; link and crank need one element each. Linear twist was tried with 6 and 8 elements: 8 are 0.6 to 0.9 ms late. The peer's are of 8 to 64 elements, 1 or 2 of the link, and steps from 0.25 to 1.7 ms:
-/// fewer combinations than of ours.
+/// A row: what it asks for, and the cheapest settings tried that reach it. Ours are of 3 to 8 elements of the strip,
+/// steps from 0.25 to 5 ms, with the defaults of all else; link and crank need one element each. Linear twist was tried
+/// with 6 and 8 elements: 8 are 0.6 to 0.9 ms late. The peer's are of 8 to 64 elements, 1 or 2 of the link, and steps
+/// from 0.25 to 1.7 ms: fewer combinations than of ours.
 struct Case {
     asked: &'static str,
     /// Elements of strip, link and crank, and step, s.
@@ -90,7 +91,8 @@ impl Kick {
     }
 }
 
-/// The highest value of the parabola through three values at equal distances, of which the middle one is the highest: rows that are far apart do not miss a peak.
+/// The highest value of the parabola through three values at equal distances, of which the middle one is the highest:
+/// rows that are far apart do not miss a peak.
 fn vertex([before, here, after]: [f64; 3]) -> f64 {
     here + (after - before).powi(2) / (8.0 * (2.0 * here - before - after))
 }

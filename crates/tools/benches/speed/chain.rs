@@ -1,4 +1,5 @@
-//! A chain of elements, clamped at one end, that falls under its weight: what a step costs over their number, and what they occupy.
+//! A chain of elements, clamped at one end, that falls under its weight: what a step costs over their number, and what
+//! they occupy.
 
 use crate::clock;
 use crate::peer::Peer;
@@ -9,8 +10,9 @@ use std::process::Command;
 
 /// Numbers of elements.
 const SIZES: [usize; 4] = [10, 100, 1000, 10_000];
-/// Integrators and tolerances: what a file has that says nothing; the peer's integrator, with a tolerance that stops at what the step leaves anyway (see [`rows`]), so that
-/// a tangent a step is enough. The tangent is Newton's in both of them.
+/// Integrators and tolerances: what a file has that says nothing; the peer's integrator, with a tolerance that stops at
+/// what the step leaves anyway (see [`rows`]), so that a tangent a step is enough. The tangent is Newton's in both of
+/// them.
 pub const SETTINGS: [[&str; 2]; 2] = [["conserving", "1e-8"], ["generalized_alpha", "1e-4"]];
 /// Steps of 1 ms at most.
 const STEPS: u32 = 100;
@@ -141,7 +143,8 @@ fn departure(settings: [&str; 2], step: &str) -> f64 {
     (tip(settings, step) - tip(SETTINGS[0], "1e-3")).norm()
 }
 
-/// Growth of the resident memory by building a long chain and its steps, bytes an element; empty where the system does not say. From the second step on it stays the same.
+/// Growth of the resident memory by building a long chain and its steps, bytes an element; empty where the system does
+/// not say. From the second step on it stays the same.
 pub fn memory() -> String {
     let Some(before) = clock::resident() else { return String::new() };
     let mut simulation = load(&model(MANY), &[]);

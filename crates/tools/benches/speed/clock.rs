@@ -1,9 +1,11 @@
-//! The clock and the scales: CPU time of this process, so that other work of the machine does not count, and its resident memory.
+//! The clock and the scales: CPU time of this process, so that other work of the machine does not count, and its
+//! resident memory.
 #![allow(unsafe_code, reason = "the system's clock is asked through C")]
 
 /// Rounds of a measurement at least, of which the fastest counts: whatever disturbs a round makes it slower.
 const ROUNDS: usize = 3;
-/// CPU time of a measurement, s: rounds follow until they have taken as much together. The slowest rows take some seconds a round.
+/// CPU time of a measurement, s: rounds follow until they have taken as much together. The slowest rows take some
+/// seconds a round.
 const ENOUGH: f64 = 1.0;
 
 /// CPU time of this process so far, s.

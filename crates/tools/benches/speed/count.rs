@@ -1,4 +1,5 @@
-//! A kernel, so many times and nothing else: for counters of instructions (scripts/instructions.sh, scripts/profile.sh).
+//! A kernel, so many times and nothing else: for counters of instructions (scripts/instructions.sh,
+//! scripts/profile.sh).
 
 use crate::chain;
 use crate::element::Bent;

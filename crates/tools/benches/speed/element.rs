@@ -1,4 +1,5 @@
-//! One element: its forces, and with their derivatives; a step of a system of them beside the same of the paper's comparator, ANCF24.
+//! One element: its forces, and with their derivatives; a step of a system of them beside the same of the paper's
+//! comparator, ANCF24.
 
 use crate::clock;
 use crate::runs;

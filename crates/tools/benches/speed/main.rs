@@ -1,13 +1,13 @@
 //! What does a simulation cost, and what does it cost the peer at the same error? Prints a table, in Markdown:
 //!
-//!     scripts/peer-env.sh                                     once, for the columns of the peer
-//!     cargo bench --bench speed                               some two minutes
-//!     cargo bench --bench speed -- --plot docs/scaling.svg    and draws the time of a step over the number of elements
-//!     cargo bench --bench speed -- --only princeton           prints the rows of one part
-//!     cargo bench --bench speed -- --count hessian 1000       runs one kernel and nothing else: scripts/instructions.sh
+//!     scripts/peer-env.sh                                     once, for the columns of the peer cargo bench --bench
+//!     speed                               some two minutes cargo bench --bench speed -- --plot docs/scaling.svg    and
+//!     draws the time of a step over the number of elements cargo bench --bench speed -- --only princeton
+//!     prints the rows of one part cargo bench --bench speed -- --count hessian 1000       runs one kernel and nothing
+//!     else: scripts/instructions.sh
 //!
-//! All times are CPU times, the least of several; the peer runs in the same minutes, on one thread. Nothing is asserted: times belong
-//! to the machine.
+//! All times are CPU times, the least of several; the peer runs in the same minutes, on one thread. Nothing is
+//! asserted: times belong to the machine.
 #![allow(clippy::print_stdout, reason = "a benchmark prints its figures")]
 #![allow(clippy::print_stderr, reason = "and says where it is")]
 #![allow(clippy::unwrap_used, reason = "a benchmark that cannot run has nothing to say")]
@@ -69,7 +69,8 @@ const PARTS: [(&str, Rows); 7] = [
     ("spring", spring::rows),
 ];
 
-/// Prints the rows of the parts whose names `is_wanted` accepts, part by part; draws the costs of the chain into the file `picture`.
+/// Prints the rows of the parts whose names `is_wanted` accepts, part by part; draws the costs of the chain into the
+/// file `picture`.
 fn measure(is_wanted: impl Fn(&str) -> bool, picture: Option<&Path>) {
     let peer = Peer::find();
     if peer.is_none() {

@@ -1,4 +1,5 @@
-//! The peer: EXUDYN, geometrically exact beams in C++ behind Python, on the same cases by the scripts in benches/peer of this package.
+//! The peer: EXUDYN, geometrically exact beams in C++ behind Python, on the same cases by the scripts in benches/peer
+//! of this package.
 
 use ancf14_testing::curves::Curves;
 use ancf14_testing::root;

@@ -11,15 +11,16 @@ const MODEL: &str = include_str!("../../../../models/princeton_beam.toml");
 const REFERENCE: &str = include_str!("../../../../tests/references/princeton_beam.csv");
 const OUTPUT: &str = "[output.tip]\nat = \"arm.end\"\nquantities = [\"displacement\"]\n";
 
-/// Elements of the peer and their kind: 8 of the plain ones, and the cheapest of 2, 3, 4, 6, 8 of its better ones that reach the error of ours (4
-/// do too, with more iterations). Both by dense matrices in one load step, the fastest of its ways.
+/// Elements of the peer and their kind: 8 of the plain ones, and the cheapest of 2, 3, 4, 6, 8 of its better ones that
+/// reach the error of ours (4 do too, with more iterations). Both by dense matrices in one load step, the fastest of
+/// its ways.
 const PEER: [[&str; 2]; 2] = [["8", "shear"], ["6", "slender"]];
 
 /// The largest tolerance there is: its error is that of the mesh.
 const LOOSE: &str = "1e-3";
 
-/// Ours: the cheapest of 1 to 8 elements with either twist whose error is not above the peer's. 2 are at 0.8 %; with linear twist
-/// 6 are at 0.8 %. The whole load acts from the start: its first equilibrium is what is sought.
+/// Ours: the cheapest of 1 to 8 elements with either twist whose error is not above the peer's. 2 are at 0.8 %; with
+/// linear twist 6 are at 0.8 %. The whole load acts from the start: its first equilibrium is what is sought.
 const OWN: [(&str, &str); 3] =
     [("arm.elements", "3"), ("arm.twist", "quadratic"), ("weight.force", "[0, 'P*sin(angle)', 'P*cos(angle)']")];
 
@@ -41,7 +42,8 @@ impl Load {
     }
 }
 
-/// Largest errors of the tip in the weak and in the stiff direction over all loads, relative to the largest displacement, in words.
+/// Largest errors of the tip in the weak and in the stiff direction over all loads, relative to the largest
+/// displacement, in words.
 fn error(tips: [&[f64]; 2]) -> String {
     let reference = Curves::read(REFERENCE);
     let relative = |tips: &[f64], name: &str| {

@@ -37,8 +37,8 @@ pub fn stepping(model: &str, keys: &[(&str, &str)]) -> f64 {
     })
 }
 
-/// CPU time of the first equilibria, s, of a set of `cases` of keys together. Files are read and machines built before, as those of the peer are; the solver is
-/// set up within.
+/// CPU time of the first equilibria, s, of a set of `cases` of keys together. Files are read and machines built before,
+/// as those of the peer are; the solver is set up within.
 pub fn equilibria(model: &str, cases: &[Vec<(&str, String)>]) -> f64 {
     clock::least(|| cases.iter().map(|keys| equilibrium(model, keys)).sum())
 }

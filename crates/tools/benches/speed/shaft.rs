@@ -11,12 +11,15 @@ const OUTPUT: &str = "[output.middle]\nat = \"shaft@0.5\"\nquantities = [\"displ
 
 /// Elements and step of the peer, s.
 const PEER: [&str; 2] = ["24", "1e-3"];
-/// Ours: the largest step tried whose error is not above the peer's, with the defaults of all else. The solver takes equal steps from row to row, here three of 1.333 ms:
-/// their error is 2.59 mm; of 1.389 ms it is 2.7 mm. 2 elements are never below 39 mm.
+/// Ours: the largest step tried whose error is not above the peer's, with the defaults of all else. The solver takes
+/// equal steps from row to row, here three of 1.333 ms: their error is 2.59 mm; of 1.389 ms it is 2.7 mm. 2 elements
+/// are never below 39 mm.
 pub const OWN: [(&str, &str); 3] =
     [("shaft.elements", "4"), ("simulation.step", "1.334e-3"), ("simulation.output_step", "4e-3")];
-/// Ours: the largest step tried with corrected results whose error is not above the peer's. Twenty-three steps from row to row, of 4.348 ms: their error is 2.61 mm; of 4.464 ms
-/// it is 2.76 mm. A tolerance of 1e-5 halves the iterations and changes the error by 0.01 mm. Without correction, the cheapest setting was generalized_alpha with a tolerance of 1e-3 and steps of 0.714 ms: nearly as much time as with the defaults.
+/// Ours: the largest step tried with corrected results whose error is not above the peer's. Twenty-three steps from row
+/// to row, of 4.348 ms: their error is 2.61 mm; of 4.464 ms it is 2.76 mm. A tolerance of 1e-5 halves the iterations
+/// and changes the error by 0.01 mm. Without correction, the cheapest setting was generalized_alpha with a tolerance of
+/// 1e-3 and steps of 0.714 ms: nearly as much time as with the defaults.
 const TUNED: [(&str, &str); 5] = [
     ("shaft.elements", "4"),
     ("simulation.correction", "true"),
@@ -31,7 +34,8 @@ pub const STEPS_AN_OUTPUT: usize = 3;
 /// Duration of the run, s.
 const STOP: f64 = 2.5;
 
-/// Largest error of `name`, y of the middle, at all instants of the reference, in words; between two rows the curve is taken as straight.
+/// Largest error of `name`, y of the middle, at all instants of the reference, in words; between two rows the curve is
+/// taken as straight.
 fn error(curves: &Curves, name: &str) -> String {
     let reference = Curves::read(REFERENCE);
     let own = curves.column(name);

@@ -12,8 +12,8 @@ const OUTPUT: &str = "[output.puller_force]\nat = \"puller\"\nquantities = [\"di
 /// Elements and load steps of the peer: of 1 to 5 and 8 steps 4 are the fastest, with the same error.
 const PEER: [&str; 2] = ["20", "4"];
 
-/// Ours: with as many elements, pulled from the start: the first equilibrium is what is sought. 20 elements with linear twist are at 0.75 %, 18
-/// with quadratic twist at 0.70 %.
+/// Ours: with as many elements, pulled from the start: the first equilibrium is what is sought. 20 elements with linear
+/// twist are at 0.75 %, 18 with quadratic twist at 0.70 %.
 const OWN: [(&str, &str); 3] = [("coil.elements", "20"), ("coil.twist", "quadratic"), ("puller.value", "pull")];
 
 /// How far the force at 40 mm is off, relative, in words.

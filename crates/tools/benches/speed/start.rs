@@ -1,4 +1,5 @@
-//! From instantiating the unit of the rotating shaft to the end of its first step: reading, building, equilibrium, step.
+//! From instantiating the unit of the rotating shaft to the end of its first step: reading, building, equilibrium,
+//! step.
 
 use crate::clock;
 use crate::table::{Amount, Row};
@@ -9,7 +10,8 @@ const MODEL: &str = include_str!("../../../../models/rotating_shaft.toml");
 /// First communication step, s.
 const STEP: f64 = 1e-3;
 
-/// What a host makes a unit do first. Without the C calls around it, which cost 0.1 microseconds each (benches/overhead.rs).
+/// What a host makes a unit do first. Without the C calls around it, which cost 0.1 microseconds each
+/// (benches/overhead.rs).
 fn first_step() {
     let model = Simulation::load("model.toml", MODEL, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
     let mut instance = Instance::new(model, false);

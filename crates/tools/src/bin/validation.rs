@@ -11,7 +11,8 @@ fn main() {
     std::fs::create_dir_all(&pictures).unwrap();
     let file = docs.join("validation.md");
     let present = std::fs::read_to_string(&file).unwrap_or_default();
-    // Sections named on the command line, or all but those that must be asked for; the others stay as the page has them.
+    // Sections named on the command line, or all but those that must be asked for; the others stay as the page has
+    // them.
     let named: Vec<String> = std::env::args().skip(1).collect();
     for title in &named {
         assert!(page::CASES.iter().any(|case| case.title == title), "no section is called {title}");

@@ -73,8 +73,8 @@ const FORMER_DEFECTS: [File; 21] = [
     ("stiff_damper", include_str!("machines/stiff_damper.toml")),
 ];
 
-/// Machines of files whose reference needs another integrator, because refinement does not cure their own one: spinning flat beams gain energy with the
-/// midpoint rules the sooner the finer the mesh is.
+/// Machines of files whose reference needs another integrator, because refinement does not cure their own one: spinning
+/// flat beams gain energy with the midpoint rules the sooner the finer the mesh is.
 const JUDGES: [(&str, &str); 3] = [
     ("conserving_flat_shaft", "generalized_alpha"),
     ("conserving_spinning_strip", "generalized_alpha"),

@@ -1,5 +1,5 @@
-//! Changes of a model file as text, so that what runs can be written down and run again by `ancf14 run`: keys of a section that stand on a line of
-//! their own, numbers of elements, and the nodes that joints name.
+//! Changes of a model file as text, so that what runs can be written down and run again by `ancf14 run`: keys of a
+//! section that stand on a line of their own, numbers of elements, and the nodes that joints name.
 
 /// The name in a section's header: `[beam.arm]` is `beam.arm`.
 fn header(line: &str) -> Option<&str> {
@@ -59,7 +59,8 @@ pub fn meshes(text: &str) -> Vec<(&str, u32)> {
     elements.filter_map(|(beam, (_, value))| Some((beam, value.parse().ok()?))).collect()
 }
 
-/// The text with `resize(elements)` elements in each beam of `elements`; none where a joint names a node that is not there any more.
+/// The text with `resize(elements)` elements in each beam of `elements`; none where a joint names a node that is not
+/// there any more.
 pub fn remeshed(text: &str, resize: impl Fn(u32) -> u32) -> Option<String> {
     let meshes = meshes(text);
     let mut changed = String::new();

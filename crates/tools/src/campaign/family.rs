@@ -1,15 +1,16 @@
-//! Families of columns, and what an error in them is: the components of a vector, or the energies of a machine, are compared with one scale.
+//! Families of columns, and what an error in them is: the components of a vector, or the energies of a machine, are
+//! compared with one scale.
 
 use super::run::{Column, Record};
 
-/// Share of the rows of a force in which it may be off: forces hold the fast oscillations that a step does not resolve, and jump where the motion only
-/// bends. Motions and energies are right in every row or wrong.
+/// Share of the rows of a force in which it may be off: forces hold the fast oscillations that a step does not resolve,
+/// and jump where the motion only bends. Motions and energies are right in every row or wrong.
 pub const ROUGH_SHARE: f64 = 0.05;
 /// Below this share of what is usual in a machine, a family is zero by symmetry: what it holds is round-off.
 const ZERO: f64 = 1e-6;
 
-/// The same of a force or moment beside the largest one of its machine: an axial force is a component of a section's force, of which the others are not
-/// there to be compared with.
+/// The same of a force or moment beside the largest one of its machine: an axial force is a component of a section's
+/// force, of which the others are not there to be compared with.
 pub const SMALL_FORCE: f64 = 0.1;
 
 /// What is not compared: counts of the solver, and momenta, which say nothing that velocities do not say.
@@ -100,7 +101,8 @@ fn extent(record: &Record, column: usize, rows: usize) -> f64 {
     if CHANGING.contains(&words(name).1) { high - low } else { high.abs().max(low.abs()) }
 }
 
-/// What is usual for a unit in this machine: lengths of its size, its size or a radian in its duration, the largest of its forces.
+/// What is usual for a unit in this machine: lengths of its size, its size or a radian in its duration, the largest of
+/// its forces.
 fn usual(record: &Record, unit: &str, rows: usize) -> f64 {
     let (size, time) = (record.size, record.duration);
     let largest = |unit: &str| {

@@ -92,8 +92,8 @@ impl Setting {
     }
 }
 
-/// Steps between two rows of a reference: an even number of the coarser levels, an odd one of the next. What alternates from step to step would look the
-/// same in every row of two levels otherwise, and pass for agreement.
+/// Steps between two rows of a reference: an even number of the coarser levels, an odd one of the next. What alternates
+/// from step to step would look the same in every row of two levels otherwise, and pass for agreement.
 fn finer_steps(machine: &Machine, divisor: u32) -> f64 {
     let steps = (f64::from(divisor) * machine.output_step() / machine.step()).round();
     if divisor == ODD_LEVEL { 2.0 * (steps / 2.0).floor() + 1.0 } else { 2.0 * (steps / 2.0).ceil() }
@@ -115,7 +115,8 @@ impl Machine {
                 let largest = edit::meshes(&self.text).into_iter().map(|(_, elements)| elements).max();
                 let is_fine = largest.is_some_and(|elements| elements >= FEWEST_TO_COARSEN);
                 let text = edit::remeshed(&self.text, coarser).filter(|_| is_fine)?;
-                // A joint at a fraction of a beam where the coarser mesh has no node, or a corner too many, is no fault of the solver.
+                // A joint at a fraction of a beam where the coarser mesh has no node, or a corner too many, is no fault
+                // of the solver.
                 Simulation::load("machine.toml", &text, &[]).is_ok().then_some(text)
             }
             Setting::FinerMesh => edit::remeshed(&self.text, |elements| FINER_MESH * elements),

@@ -214,7 +214,8 @@ fn every(judged: &[Judged]) -> String {
     format!("## Every verdict\n\n{lead}\n\n```\n{lines}```")
 }
 
-/// The verdicts that a page has on `machines`, as far as it tells them: of warnings and refusals without their words. None: it lacks a machine.
+/// The verdicts that a page has on `machines`, as far as it tells them: of warnings and refusals without their words.
+/// None: it lacks a machine.
 pub fn read(page: &str, machines: &[Machine]) -> Option<Vec<Judged>> {
     let letters = page.split("```").nth(1)?;
     let judged = machines.iter().map(|machine| {

@@ -5,9 +5,11 @@ use super::machine::{Machine, Setting};
 use super::run::{End, Record};
 use super::warning;
 
-/// Levels of refinement, the first two of which are always run: where two levels do not agree to the end, the next one is tried.
+/// Levels of refinement, the first two of which are always run: where two levels do not agree to the end, the next one
+/// is tried.
 const LEVELS: [u32; 3] = [4, 8, 16];
-/// How near the two finest levels must be, of the family's scale: a fifth of what is called right, so that the reference is no part of the judgement.
+/// How near the two finest levels must be, of the family's scale: a fifth of what is called right, so that the
+/// reference is no part of the judgement.
 pub const AGREEMENT: f64 = 2e-3;
 /// The fewest rows behind the start that are worth a comparison.
 const FEWEST_ROWS: usize = 4;
@@ -92,8 +94,8 @@ impl Reference {
     }
 }
 
-/// How many of the first `most` rows agree. The scale is that of these rows: what happens behind them, where nobody knows it, must not hide what
-/// happens before.
+/// How many of the first `most` rows agree. The scale is that of these rows: what happens behind them, where nobody
+/// knows it, must not hide what happens before.
 fn agreeing(family: &Family, coarse: &Record, fine: &Record, most: usize) -> usize {
     let mut rows = most;
     loop {

@@ -7,7 +7,8 @@ use ancf14::model::effort;
 use ancf14::model::simulation::Simulation;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// A run is given up when it has tried so many times the steps that its setting asks for, and so many more. Halving by ten would be a thousand times.
+/// A run is given up when it has tried so many times the steps that its setting asks for, and so many more. Halving by
+/// ten would be a thousand times.
 const MOST_STEPS_TIMES: f64 = 20.0;
 const MOST_STEPS_MORE: f64 = 5_000.0;
 

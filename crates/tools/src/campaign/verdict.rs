@@ -140,7 +140,8 @@ pub fn verdict(setting: Setting, record: &Record, reference: &Result<Reference, 
     }
 }
 
-/// The error of a family over the first `known` rows of the reference, but for the share of the rows that may be off. None: no row is there.
+/// The error of a family over the first `known` rows of the reference, but for the share of the rows that may be off.
+/// None: no row is there.
 fn error(family: &Family, known: usize, record: &Record, reference: &Record) -> Option<Error> {
     let scale = family.scale(reference, known);
     // Row 0 is not a result of any step.

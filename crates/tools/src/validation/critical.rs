@@ -5,8 +5,8 @@ use ancf14_testing::curves::load;
 
 /// Iterations of the regula falsi at most; ten are usual.
 const MOST_ITERATIONS: u32 = 60;
-/// The last two times are nearer than this, s: the line through both has the square of it as its error. Nearer still the equilibrium
-/// would not be unique to round-off.
+/// The last two times are nearer than this, s: the line through both has the square of it as its error. Nearer still
+/// the equilibrium would not be unique to round-off.
 const NEAR: f64 = 1e-4;
 
 /// The time between `before` and `after` (s) at which the equilibrium of the model becomes unstable.

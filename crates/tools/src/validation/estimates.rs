@@ -51,8 +51,8 @@ const MOTIONS: [Case; 8] = [
 const QUADRATIC: [(&str, &str); 3] =
     [("strip.twist", "quadratic"), ("link.twist", "quadratic"), ("crank.twist", "quadratic")];
 
-/// The reference has so many elements in place of one, with quadratic twist, and so many steps; a second one has half as many of what it is
-/// that limits it, and says how sure the first one is.
+/// The reference has so many elements in place of one, with quadratic twist, and so many steps; a second one has half
+/// as many of what it is that limits it, and says how sure the first one is.
 const ELEMENTS: [usize; 2] = [8, 4];
 const MOVING_ELEMENTS: usize = 4;
 const STEPS: [f64; 2] = [16.0, 8.0];

@@ -1,4 +1,5 @@
-//! The paper's Figures 2 and 3: normals of a curve with an inflexion and a straight piece, by Serret and Frenet and by Bishop.
+//! The paper's Figures 2 and 3: normals of a curve with an inflexion and a straight piece, by Serret and Frenet and by
+//! Bishop.
 
 use super::{Section, line, shapes};
 use ancf14::math::Vec3;

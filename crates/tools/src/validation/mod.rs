@@ -1,5 +1,5 @@
-//! The validation page: every benchmark of the paper and every other reference, compared with runs of model files. No number of a
-//! result is typed by hand: what the page says about sizes stands in tables that come from the runs.
+//! The validation page: every benchmark of the paper and every other reference, compared with runs of model files. No
+//! number of a result is typed by hand: what the page says about sizes stands in tables that come from the runs.
 
 mod bend;
 mod blades;
@@ -49,7 +49,8 @@ pub enum Runs {
     Short,
     /// Long ones.
     Long,
-    /// Only where the section is asked for by its title: timed ones, of which no two come out the same, and those of the peer, which must be installed.
+    /// Only where the section is asked for by its title: timed ones, of which no two come out the same, and those of
+    /// the peer, which must be installed.
     Asked,
 }
 

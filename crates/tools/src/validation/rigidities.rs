@@ -1,4 +1,5 @@
-//! Thick rods that are given by their rigidities, whose moments are in proportion to curvatures however far fibers would strain.
+//! Thick rods that are given by their rigidities, whose moments are in proportion to curvatures however far fibers
+//! would strain.
 
 use super::{Section, study};
 use ancf14_testing::curves::Curves;

@@ -28,7 +28,8 @@ fn printed(piece: usize, s: f64) -> (Vec3, Vec3) {
     (place, Vec3::new(0.05, radius * (a_s * cos - a * w * sin), radius * (a_s * sin + a * w * cos)))
 }
 
-/// Stiffness of the printed wire by Castigliano: the energy of the section forces of a unit force along the line of its ends, N/m.
+/// Stiffness of the printed wire by Castigliano: the energy of the section forces of a unit force along the line of its
+/// ends, N/m.
 fn castigliano(young: f64, shear: f64, radius: f64) -> f64 {
     let area = std::f64::consts::PI * radius * radius;
     let (axial, bending, torsion) =

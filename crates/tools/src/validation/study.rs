@@ -14,7 +14,8 @@ pub fn twists(elements: &[u32], error: impl Fn(u32, &str) -> f64) -> String {
     table("elements", &elements.iter().map(|n| f64::from(*n)).collect::<Vec<_>>(), &columns)
 }
 
-/// A table of errors over `sizes` (elements, or steps): a row each; a column each of `columns` and the order from row to row.
+/// A table of errors over `sizes` (elements, or steps): a row each; a column each of `columns` and the order from row
+/// to row.
 pub fn table(first: &str, sizes: &[f64], columns: &[(String, Vec<f64>)]) -> String {
     let mut text = format!("| {first} |");
     for (name, _) in columns {

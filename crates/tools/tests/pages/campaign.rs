@@ -1,5 +1,6 @@
-//! The campaign against silently wrong answers, in small: a dozen machines from all corners get the verdicts that docs/campaign.md has for them. A
-//! verdict that changes is a solver, a warning or a machine that has changed: run the campaign (`cargo run --release --bin campaign`) and look what else has.
+//! The campaign against silently wrong answers, in small: a dozen machines from all corners get the verdicts that
+//! docs/campaign.md has for them. A verdict that changes is a solver, a warning or a machine that has changed: run the
+//! campaign (`cargo run --release --bin campaign`) and look what else has.
 
 use ancf14::model::simulation::Simulation;
 use ancf14_tools::campaign::machine::{Machine, Setting};

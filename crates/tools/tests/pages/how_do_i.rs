@@ -17,15 +17,15 @@ const STATED: [(&str, &str, f64, f64); 8] = [
     ("Atwood", "motion.distance_acceleration", -9.81 / 5.5, 1e-3),
     // -sqrt(m g/drag), reached to 2 exp(-2 g t/v) = 3.4e-6: the default accuracy of the steps.
     ("FallingBall", "fall.distance_rate", -4.42945, 1e-3),
-    // (5 F L^3/(48 EI) - gap)/(L^3/(3 EI) + 1/stiffness) = (0.044643 - 0.01)/(4.7619e-4 + 1e-6) N, for small deflections;
-    // squares of slopes of 0.02 leave 1e-3.
+    // (5 F L^3/(48 EI) - gap)/(L^3/(3 EI) + 1/stiffness) = (0.044643 - 0.01)/(4.7619e-4 + 1e-6) N, for small
+    // deflections; squares of slopes of 0.02 leave 1e-3.
     ("TipOnPost", "at_post.force", -72.598, 1e-3),
     // x'' = (6 t - 10)/2 from 5/3 s to 2 s; the 10 micrometers of sticking are 6e-4 of it, and the accuracy 1e-3.
     ("BlockThatHolds", "block_motion.distance", 1.0 / 54.0, 3e-3),
     // A strut of 2e4 N/m that is shortened from 0.45 m to 0.4 m: round-off.
     ("SpringDamperUnit", "in_strut.force", -1000.0, 1e-12),
-    // The wanted angle, 0.4 s after its motion ends: 0.9 kg m2 with gains 400 and 30 decay as exp(-16 t), to 2e-3 of a lag
-    // of 0.1 rad.
+    // The wanted angle, 0.4 s after its motion ends: 0.9 kg m2 with gains 400 and 30 decay as exp(-16 t), to 2e-3 of a
+    // lag of 0.1 rad.
     ("LinkWithController", "motion.angle", 1.2, 1e-3),
 ];
 

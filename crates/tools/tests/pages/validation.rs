@@ -1,4 +1,5 @@
-//! docs/validation.md must be what its generator writes: the short runs are repeated here, and the page must hold every number of them.
+//! docs/validation.md must be what its generator writes: the short runs are repeated here, and the page must hold every
+//! number of them.
 
 use ancf14_tools::validation as page;
 

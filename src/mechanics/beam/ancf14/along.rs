@@ -1,4 +1,5 @@
-//! The section along an element, where it is not the same everywhere or its principal axes are not the axes of the element's sections.
+//! The section along an element, where it is not the same everywhere or its principal axes are not the axes of the
+//! element's sections.
 
 use super::strain::{Eccentricity, Stiffness};
 use std::fmt;

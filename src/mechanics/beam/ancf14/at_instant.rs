@@ -1,13 +1,17 @@
-//! Damping of the material at an instant, as Newton's iteration takes it where the twist is linear (MECHANICS 3.8): the energy and the damping then have the same strains, and one gradient and one
-//! Hessian are those of both.
+//! Damping of the material at an instant, as Newton's iteration takes it where the twist is linear (MECHANICS 3.8): the
+//! energy and the damping then have the same strains, and one gradient and one Hessian are those of both.
 //!
-//! With the viscous resultants `N = c W D J v` added to those of the energy, and the rigidities `W D` multiplied by `1 + c v_q` where the velocities change by `v_q` with the coordinates, gradient and
-//! Hessian contain the viscous force `Jᵀ N` and of its derivative `N·Hess e + Jᵀ c W D J v_q`. What is left is `Jᵀ c W D ∂(J v)/∂q`, which is not symmetric:
+//! With the viscous resultants `N = c W D J v` added to those of the energy, and the rigidities `W D` multiplied by
+//! `1 + c v_q` where the velocities change by `v_q` with the coordinates, gradient and Hessian contain the viscous
+//! force `Jᵀ N` and of its derivative `N·Hess e + Jᵀ c W D J v_q`. What is left is `Jᵀ c W D ∂(J v)/∂q`, which is not
+//! symmetric:
 //!
-//! - The axial strains have it exactly: `c W EA e_q ė_q`; the products with the curvatures that a tension center off the axis adds are left out.
-//! - For bending and torsion `∂(J v)/∂q = J W_ω` while the element turns as a whole, with the angular velocity `ω` of the section of its first node: strains do not see such a turn. The Hessian is
-//!   multiplied from the right by `1 + τ W_ω`, `τ = c/(1 + c v_q)`, the share of the damping in its rigidities. What deforms the element is left out: in a step it turns its ends much less against each other than
-//!   all of it.
+//! - The axial strains have it exactly: `c W EA e_q ė_q`; the products with the curvatures that a tension center off
+//!   the axis adds are left out.
+//! - For bending and torsion `∂(J v)/∂q = J W_ω` while the element turns as a whole, with the angular velocity `ω` of
+//!   the section of its first node: strains do not see such a turn. The Hessian is multiplied from the right by
+//!   `1 + τ W_ω`, `τ = c/(1 + c v_q)`, the share of the damping in its rigidities. What deforms the element is left
+//!   out: in a step it turns its ends much less against each other than all of it.
 //!
 //! The force is exact, so that the solution is. Derivatives of a step have the exact tangent, that of damping.rs.
 
@@ -19,7 +23,8 @@ use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
 
 impl Evaluation<'_> {
-    /// Adds the damping of the material with the velocities `velocity` (14), which change by `velocity_by_q` with the coordinates, 1/s.
+    /// Adds the damping of the material with the velocities `velocity` (14), which change by `velocity_by_q` with the
+    /// coordinates, 1/s.
     pub fn set_damping(&mut self, velocity: &[f64], velocity_by_q: f64) {
         let rates = self.element.strain_rates_with(self, velocity, 0.0);
         self.added = Added::at_instant(self.element, &rates, velocity_by_q);
@@ -47,7 +52,8 @@ impl Evaluation<'_> {
 }
 
 impl Turn {
-    /// [`Self::new`] between now and `span` s later, to first order, of an element with the velocities `velocity` (14) and the frames `frames` of its nodes.
+    /// [`Self::new`] between now and `span` s later, to first order, of an element with the velocities `velocity` (14)
+    /// and the frames `frames` of its nodes.
     fn after(span: f64, frames: [&NodeFrame; 2], velocity: &[f64]) -> Self {
         let changes = [P, NODE + P].map(|place| vec3(velocity, place) * span);
         let turn = frames[0].turn_p() * changes[0] + frames[0].t * (velocity[THETA] * span);

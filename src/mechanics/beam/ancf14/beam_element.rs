@@ -17,7 +17,8 @@ use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian,
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
 
-/// Smallest `1 + t_0·t_1` of an element's ends: 143 degrees between them, near the singularity of the minimal rotation (MECHANICS 2.6).
+/// Smallest `1 + t_0·t_1` of an element's ends: 143 degrees between them, near the singularity of the minimal rotation
+/// (MECHANICS 2.6).
 const SMALLEST_COSINE: f64 = 0.2;
 /// Largest change of the holonomy angle in a step, rad: the branch is safe below pi (MECHANICS 2.6).
 const LARGEST_TWIST_CHANGE: f64 = 2.0;
@@ -223,7 +224,8 @@ impl BeamElement for Element {
     }
 
     fn load_points(&self) -> [(f64, f64); LOAD_POINTS] {
-        // Of the arc length, as mass and weight are: not `w l J0`, the length of the interpolated curve, which strains have.
+        // Of the arc length, as mass and weight are: not `w l J0`, the length of the interpolated curve, which strains
+        // have.
         [0, 1, 2].map(|g| (self.bending[g].xi, self.bending[g].weight / self.bending[g].reference_stretch))
     }
 

@@ -1,4 +1,5 @@
-//! The strains of a bending point: the curvatures of the carried frame about the axes of the section (MECHANICS 2.16), torsion and stretching.
+//! The strains of a bending point: the curvatures of the carried frame about the axes of the section (MECHANICS 2.16),
+//! torsion and stretching.
 
 use super::energy::quadratic_twist;
 use super::kinematics::points::BendingPoint;
@@ -6,15 +7,16 @@ use super::natural::curvature_about;
 use super::strain::Strains;
 
 impl BendingPoint {
-    /// `cos/J0` and `sin/J0` of the angle of the section, which `alpha` and the internal coordinate `bubble` of the quadratic twist make, rad.
+    /// `cos/J0` and `sin/J0` of the angle of the section, which `alpha` and the internal coordinate `bubble` of the
+    /// quadratic twist make, rad.
     #[inline]
     pub fn turn(&self, alpha: f64, bubble: f64) -> [f64; 2] {
         let (sin, cos) = (alpha + self.principal + bubble * quadratic_twist::shape(self.xi)).sin_cos();
         [cos / self.reference_stretch, sin / self.reference_stretch]
     }
 
-    /// `gammahat` and the strains, where the carried frame has the `curvatures` and the section is turned by `turn`; `twist` is that of the element, `natural` are the
-    /// curvatures without stress here.
+    /// `gammahat` and the strains, where the carried frame has the `curvatures` and the section is turned by `turn`;
+    /// `twist` is that of the element, `natural` are the curvatures without stress here.
     #[inline]
     pub fn strains(
         &self,

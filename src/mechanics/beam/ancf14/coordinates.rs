@@ -36,7 +36,8 @@ pub fn interpolate(weights: &[f64; 4], q: &[f64]) -> Vec3 {
     vec3(q, R) * weights[0] + vec3(q, P) * weights[1] + vec3(q, NODE + R) * weights[2] + vec3(q, NODE + P) * weights[3]
 }
 
-/// `r'` at the three axial points: at the ends of the element it is the slope of a node, in its middle `X_a` have the weights `weights`.
+/// `r'` at the three axial points: at the ends of the element it is the slope of a node, in its middle `X_a` have the
+/// weights `weights`.
 #[inline]
 pub fn slopes(weights: &[f64; 4], q: &[f64]) -> [Vec3; 3] {
     [vec3(q, P), interpolate(weights, q), vec3(q, NODE + P)]
@@ -71,8 +72,8 @@ pub fn spread(weights: &[f64; 4], v: &Vec3) -> ElementVector {
     sum
 }
 
-/// Adds `weightsᵀ block weights`, 14×14, to `sum`: the stiffness of a force that changes by `block` with `Σ_a weight_a X_a`, without
-/// the rows and columns of `r_0`, which [`complete`] sets.
+/// Adds `weightsᵀ block weights`, 14×14, to `sum`: the stiffness of a force that changes by `block` with
+/// `Σ_a weight_a X_a`, without the rows and columns of `r_0`, which [`complete`] sets.
 #[inline]
 pub fn add_spread(weights: &[f64; 4], block: &Mat3, sum: &mut ElementColumns) {
     if let Some((a, place)) = slope_of_node(weights) {
@@ -95,8 +96,9 @@ fn add_block(block: &Mat3, row: usize, column: usize, sum: &mut ElementColumns) 
     }
 }
 
-/// Adds `by_q (weightsᵀ right)ᵀ + weightsᵀ left by_endᵀ`, 14×14, to `sum`, without the rows and columns of `r_0`: of what `by_q`, or by the end of a step `by_end`,
-/// changes by with a function of `Σ_a weight_a X_a` that has the derivatives `left`, or `right` by the end of a step.
+/// Adds `by_q (weightsᵀ right)ᵀ + weightsᵀ left by_endᵀ`, 14×14, to `sum`, without the rows and columns of `r_0`: of
+/// what `by_q`, or by the end of a step `by_end`, changes by with a function of `Σ_a weight_a X_a` that has the
+/// derivatives `left`, or `right` by the end of a step.
 #[inline]
 pub fn add_between(
     [by_q, by_end]: [&ElementVector; 2],
@@ -134,7 +136,8 @@ pub fn add_product(factor: f64, by_row: &ElementVector, by_column: &ElementVecto
     }
 }
 
-/// Sets the rows and columns of `r_0` to the opposite of those of `r_1`: of the two places only the chord between them counts.
+/// Sets the rows and columns of `r_0` to the opposite of those of `r_1`: of the two places only the chord between them
+/// counts.
 #[inline]
 pub fn complete(sum: &mut ElementColumns) {
     for column in &mut sum[P..] {

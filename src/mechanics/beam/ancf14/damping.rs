@@ -1,13 +1,15 @@
-//! Kelvin-Voigt damping: `stress = E (strain + c rate)` with `c` in s, as the dissipation `c/2 Σ W D rate²`, W, over the strains of the
-//! energy at its own quadrature points (MECHANICS 3.8): `D = EA` for the axial strain of the axial points, `E Iz`, `E Iy`, `G Jt` for `g1`, `g2`,
-//! `tau` of the bending points. The axial strain is the one of the energy: `|r'|/J0 − 1` for small strain, Green's otherwise.
+//! Kelvin-Voigt damping: `stress = E (strain + c rate)` with `c` in s, as the dissipation `c/2 Σ W D rate²`, W, over
+//! the strains of the energy at its own quadrature points (MECHANICS 3.8): `D = EA` for the axial strain of the axial
+//! points, `E Iz`, `E Iy`, `G Jt` for `g1`, `g2`, `tau` of the bending points. The axial strain is the one of the
+//! energy: `|r'|/J0 − 1` for small strain, Green's otherwise.
 //!
-//! The rigidities are constant: products of strains and rates, which the full integral of Green's strain over the section
-//! has, are left out; they are of the order of the strain beside what is kept. Where torsion is suppressed, the Saint-Venant
-//! rigidity is the one that suppresses it. The strains are those of the linear twist, whatever the element's is: the internal coordinate of
-//! the quadratic one has no rate of its own.
+//! The rigidities are constant: products of strains and rates, which the full integral of Green's strain over the
+//! section has, are left out; they are of the order of the strain beside what is kept. Where torsion is suppressed, the
+//! Saint-Venant rigidity is the one that suppresses it. The strains are those of the linear twist, whatever the
+//! element's is: the internal coordinate of the quadratic one has no rate of its own.
 //!
-//! Over a step the rate is the change of the strains over its length: a rigid motion, however fast, is not damped at all.
+//! Over a step the rate is the change of the strains over its length: a rigid motion, however fast, is not damped at
+//! all.
 
 use super::coordinates::{
     ELEMENT, ElementMatrix, ElementVector, add_slope_force, add_spread, complete, slopes, spread,
@@ -43,8 +45,8 @@ pub fn force_of_rates(evaluation: &Evaluation, rates: &[f64; STRAINS]) -> Elemen
     sum
 }
 
-/// [`force`], and `by_q` times its derivative with respect to the coordinates plus `by_v` times that with respect to the velocities, 14×14:
-/// `by_q (Hess · resultants + Jᵀ c W D ∂(J v)/∂q) + by_v Jᵀ c W D J`.
+/// [`force`], and `by_q` times its derivative with respect to the coordinates plus `by_v` times that with respect to
+/// the velocities, 14×14: `by_q (Hess · resultants + Jᵀ c W D ∂(J v)/∂q) + by_v Jᵀ c W D J`.
 pub fn force_and_tangent(
     evaluation: &Evaluation,
     velocity: &ElementVector,

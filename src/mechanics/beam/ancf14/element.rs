@@ -7,13 +7,8 @@ use super::along::Along;
 use super::coordinates::{
     ELEMENT, ElementColumns, ElementMatrix, ElementVector, add_slope_force, complete, interpolate, slopes,
 };
-use super::energy::axial;
-use super::energy::bending;
-use super::energy::eccentricity;
-use super::energy::fourth_moments;
 use super::energy::quadratic_twist::{self, Condensation, Twist};
-use super::energy::stretching;
-use super::energy::torsion;
+use super::energy::{axial, bending, eccentricity, fourth_moments, stretching, torsion};
 use super::frame::NodeFrame;
 use super::inertia::{self, Inertia};
 use super::kinematics::Kinematics;
@@ -39,7 +34,8 @@ pub struct Place {
     pub branch: usize,
 }
 
-/// One element of a beam; never changes but for its damping. The numbers that elements of one length and section have in common are in memory once (shared.rs).
+/// One element of a beam; never changes but for its damping. The numbers that elements of one length and section have
+/// in common are in memory once (shared.rs).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Element {
     /// Where its numbers are.
@@ -141,7 +137,8 @@ impl Element {
     /// Makes it stress free at `reference`; arguments as of [`Self::new`].
     pub(super) fn set_reference(&mut self, reference: &[f64], frames: [&NodeFrame; 2], holonomy: f64) {
         self.bending.iter_mut().for_each(|point| point.reference = [0.0; 3]);
-        // The reference strains are what the same interpolation finds in the reference itself: it is stress free exactly.
+        // The reference strains are what the same interpolation finds in the reference itself: it is stress free
+        // exactly.
         let at_rest = Evaluation::with_linear_twist(self, reference, None, frames, holonomy, &Natural::default());
         let (strains, twist) = (at_rest.strains, at_rest.kinematics.twist);
         self.reference_twist = twist;
@@ -180,7 +177,8 @@ impl Element {
         Evaluation::with_linear_twist(self, self.own(c.q), None, self.frames(c), previous, &self.natural(c))
     }
 
-    /// Strains with linear twist, where stretching is the mean of both ends' of a step, whose middle is `c`, with the `increment` of all coordinates and the `natural` strains of the step.
+    /// Strains with linear twist, where stretching is the mean of both ends' of a step, whose middle is `c`, with the
+    /// `increment` of all coordinates and the `natural` strains of the step.
     pub(super) fn with_increment<'a>(
         &'a self,
         c: &BeamConfiguration<'a>,
@@ -204,7 +202,8 @@ pub struct Evaluation<'a> {
     /// Curvatures and twist rates of the carried frame.
     pub kinematics: Kinematics<'a>,
     pub(super) slopes: [axial::Slope; 3],
-    /// Axial strains of the axial points that bending points see: Green's; engineering ones of a tension center off the axis, else 0, for small strain.
+    /// Axial strains of the axial points that bending points see: Green's; engineering ones of a tension center off the
+    /// axis, else 0, for small strain.
     pub(super) seen: [f64; 3],
     pub(super) mean_torsion: [f64; 3],
     /// Internal coordinate `b` of the quadratic twist, rad; 0 for linear twist.
@@ -232,8 +231,8 @@ struct FirstOrder {
 }
 
 impl<'a> Evaluation<'a> {
-    /// Of `element` at the coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last
-    /// accepted state, rad, and `natural` strains.
+    /// Of `element` at the coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the
+    /// last accepted state, rad, and `natural` strains.
     #[inline]
     pub fn new(element: &'a Element, q: &[f64], frames: [&'a NodeFrame; 2], previous: f64, natural: &Natural) -> Self {
         // As two ways out: what one of them returns is not copied.
@@ -247,8 +246,9 @@ impl<'a> Evaluation<'a> {
         }
     }
 
-    /// As [`Self::new`], but with linear twist whatever the element's is; `increment` is what the coordinates change by over a step whose middle is
-    /// `q`, or none. It is built where the caller has it, and only what the caller uses of it.
+    /// As [`Self::new`], but with linear twist whatever the element's is; `increment` is what the coordinates change by
+    /// over a step whose middle is `q`, or none. It is built where the caller has it, and only what the caller uses of
+    /// it.
     #[inline(always)]
     pub fn with_linear_twist(
         element: &'a Element,
@@ -312,7 +312,8 @@ impl<'a> Evaluation<'a> {
         self.set_strains();
     }
 
-    /// Adds to the internal coordinate a `correction` so small that its square is below rounding: the sine of such a turn is its angle.
+    /// Adds to the internal coordinate a `correction` so small that its square is below rounding: the sine of such a
+    /// turn is its angle.
     pub(super) fn correct_bubble(&mut self, correction: f64) {
         self.bubble += correction;
         for (turn, point) in self.turn.iter_mut().zip(&self.element.bending) {
@@ -365,7 +366,8 @@ impl<'a> Evaluation<'a> {
         self.with_axial_forces(&by_shape, &first.resultants)
     }
 
-    /// Gradient and Hessian, 14×14; over a step twice the derivative of the force by the coordinates at its end (slightly unsymmetric).
+    /// Gradient and Hessian, 14×14; over a step twice the derivative of the force by the coordinates at its end
+    /// (slightly unsymmetric).
     pub fn gradient_and_hessian(&self) -> (ElementVector, ElementMatrix) {
         let mut hessian = ElementMatrix::zeros();
         (self.gradient_and_set_hessian(1.0, &mut hessian.data.0), hessian)
@@ -484,7 +486,8 @@ impl<'a> Evaluation<'a> {
         }
     }
 
-    /// `EA eps W`, N m: what the axial points give to the derivative of the small-strain energy by the strain of axial point `m`.
+    /// `EA eps W`, N m: what the axial points give to the derivative of the small-strain energy by the strain of axial
+    /// point `m`.
     #[inline]
     pub(super) fn engineering_force(&self, m: usize) -> f64 {
         let point = &self.element.axial[m];

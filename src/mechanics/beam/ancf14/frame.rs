@@ -71,7 +71,8 @@ impl NodeFrame {
         Vec3::new(-k_u * change[1] - k_v * change[2], -change[2], change[1]) / self.stretch
     }
 
-    /// What [`Self::k_local`] changes by with a small change of `p`, which makes the axes `[t u v]` turn by `turn`; all in these axes.
+    /// What [`Self::k_local`] changes by with a small change of `p`, which makes the axes `[t u v]` turn by `turn`; all
+    /// in these axes.
     pub fn k_local_along(&self, change: &Vec3, turn: &Vec3) -> [f64; 2] {
         let [k_u, k_v] = self.k_local();
         let (by_k, by_l) = (k_u * change[1] + k_v * change[2], k_v * change[1] - k_u * change[2]);

@@ -1,4 +1,5 @@
-//! Inertia: constant mass matrix and the weight (MECHANICS 3.3). Rotary inertia of bending is neglected, as in the paper.
+//! Inertia: constant mass matrix and the weight (MECHANICS 3.3). Rotary inertia of bending is neglected, as in the
+//! paper.
 
 use super::coordinates::{ELEMENT, ElementVector, NODE, SHAPE_PLACES, THETA};
 use crate::math::vectors::vec3;
@@ -28,7 +29,8 @@ impl Inertia {
         }
     }
 
-    /// The inertia of `stations` (a position, 0 to 1, with the mass, kg, and the spin inertia, kg m², that it stands for) of an element of length `length`, m.
+    /// The inertia of `stations` (a position, 0 to 1, with the mass, kg, and the spin inertia, kg m², that it stands
+    /// for) of an element of length `length`, m.
     pub fn of_stations(stations: impl Iterator<Item = (f64, [f64; 2])> + Clone, length: f64) -> Self {
         let mut weights = [0.0; 4];
         for (xi, [mass, _]) in stations.clone() {

@@ -1,6 +1,8 @@
-//! The ANCF14 beam: coordinates, frames, kinematics inside the element, energies, inertia (Ebrahimi, Butscher, Cheong 2020).
+//! The ANCF14 beam: coordinates, frames, kinematics inside the element, energies, inertia (Ebrahimi, Butscher, Cheong
+//! 2020).
 //!
-//! `#[inline]` stands on what every evaluation of an element calls: its many numbers are then made where they are used, not copied there.
+//! `#[inline]` stands on what every evaluation of an element calls: its many numbers are then made where they are used,
+//! not copied there.
 
 pub mod along;
 mod at_instant;

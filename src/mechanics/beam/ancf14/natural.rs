@@ -1,7 +1,7 @@
 //! Strains at which an element has no stress: those as drawn, unless the beam is drawn under stress, and those of heat.
 //!
-//! Heat and tension are strains that are taken off those of the geometry: `e = e(q) − e_0`. A stress-free curvature or torsion takes the place of the one as
-//! drawn.
+//! Heat and tension are strains that are taken off those of the geometry: `e = e(q) − e_0`. A stress-free curvature or
+//! torsion takes the place of the one as drawn.
 
 use crate::mechanics::input::heat::{Heat, POINTS};
 
@@ -21,7 +21,8 @@ pub struct Prestress {
 pub struct Prestressed {
     /// As given.
     pub given: Prestress,
-    /// Curvatures `gamma_1`, `gamma_2` (1/m) and torsion (rad/m) without stress minus those as drawn, at the bending points.
+    /// Curvatures `gamma_1`, `gamma_2` (1/m) and torsion (rad/m) without stress minus those as drawn, at the bending
+    /// points.
     pub beyond: [[f64; 3]; POINTS],
 }
 

@@ -1,9 +1,11 @@
-//! Forces over a step (MECHANICS 7.6): the resultants of the mean strains of both ends, along the derivatives of the strains in the middle.
+//! Forces over a step (MECHANICS 7.6): the resultants of the mean strains of both ends, along the derivatives of the
+//! strains in the middle.
 //!
-//! With the strains `e0`, `e1` of the step's ends, `ē` their mean, `B = ∂e/∂q` in the middle and the constant rigidities `D` the force is
-//! `Bᵀ [U_e(ē) + (c/h) D (e1 − e0) + chi D (e1 − e0 − h ė) + psi D (e1 − e0 − h ė0)]`, with the damping `c` of the material, the rates `ė` over the last step
-//! and `ė0` at the start. `B` annihilates rigid motions, so that momenta are kept, and a rigid motion changes no strain. The last two terms, the
-//! numerical dissipation, are of second order in the step: they take what the step does not resolve.
+//! With the strains `e0`, `e1` of the step's ends, `ē` their mean, `B = ∂e/∂q` in the middle and the constant
+//! rigidities `D` the force is `Bᵀ [U_e(ē) + (c/h) D (e1 − e0) + chi D (e1 − e0 − h ė) + psi D (e1 − e0 − h ė0)]`, with
+//! the damping `c` of the material, the rates `ė` over the last step and `ė0` at the start. `B` annihilates rigid
+//! motions, so that momenta are kept, and a rigid motion changes no strain. The last two terms, the numerical
+//! dissipation, are of second order in the step: they take what the step does not resolve.
 
 use super::coordinates::{CHORD_PLACES, ELEMENT, ElementColumns, ElementVector, NODE, P, THETA, slopes};
 use super::element::{Element, Evaluation};
@@ -48,20 +50,24 @@ impl EndStrains {
     }
 }
 
-/// What a step adds to the elastic resultants of the mean strains, or the damping of the material to those of an instant, quadrature weights included.
+/// What a step adds to the elastic resultants of the mean strains, or the damping of the material to those of an
+/// instant, quadrature weights included.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Added {
     /// Of the axial points, by their strain, N m.
     pub axial: [f64; 3],
     /// Of the bending points.
     pub bending: [Resultants; 3],
-    /// Twice the derivative of the added resultants by the strains at the end of the step, over the rigidities `D`, 1; at an instant their derivative through the velocities.
+    /// Twice the derivative of the added resultants by the strains at the end of the step, over the rigidities `D`, 1;
+    /// at an instant their derivative through the velocities.
     pub stiffening: f64,
     /// The same of the axial strains by themselves.
     pub axial_stiffening: f64,
-    /// Derivatives of the added resultants of the axial points with respect to the slopes there, through the rates of the strains, N m; none over a step.
+    /// Derivatives of the added resultants of the axial points with respect to the slopes there, through the rates of
+    /// the strains, N m; none over a step.
     pub axial_rate_changes: Option<[Vec3; 3]>,
-    /// Not added but taken off in the Hessian: what the axial strains have beyond those of its axial forces, 1 (MECHANICS 7.12).
+    /// Not added but taken off in the Hessian: what the axial strains have beyond those of its axial forces, 1
+    /// (MECHANICS 7.12).
     pub excess: [f64; 3],
     /// Rates of the strains, 1/s, 1/m/s, rad/m/s.
     pub rates: [f64; STRAINS],
@@ -80,7 +86,8 @@ impl Added {
         });
     }
 
-    /// The damping of the material of `element` at an instant with the rates `rates` of the strains and velocities that change by `velocity_by_q` with the coordinates, 1/s.
+    /// The damping of the material of `element` at an instant with the rates `rates` of the strains and velocities that
+    /// change by `velocity_by_q` with the coordinates, 1/s.
     pub fn at_instant(element: &Element, rates: &[f64; STRAINS], velocity_by_q: f64) -> Self {
         let [axial_stiffening, stiffening] = element.viscosities().map(|viscosity| viscosity * velocity_by_q);
         let mut added = Self { stiffening, axial_stiffening, rates: *rates, ..Self::default() };
@@ -88,7 +95,8 @@ impl Added {
         added
     }
 
-    /// Sets the resultants to the rigidities times what `strain` makes of the rates, of the number of a strain and of its viscosity.
+    /// Sets the resultants to the rigidities times what `strain` makes of the rates, of the number of a strain and of
+    /// its viscosity.
     #[inline]
     fn set_resultants(&mut self, element: &Element, strain: impl Fn(&[f64; STRAINS], usize, f64) -> f64) {
         let (rates, rigidities, [tension, viscosity]) = (self.rates, element.rigidities(), element.viscosities());
@@ -140,13 +148,15 @@ pub struct Coupling {
     pub rigidity: f64,
 }
 
-/// The way from the coordinates at the end of a step to those in its middle that change the strains alike, where the element turns as its first node does.
-/// Strains are the same functions of what a section sees, wherever it has turned to: instead of their derivatives at the end those of the middle will do.
+/// The way from the coordinates at the end of a step to those in its middle that change the strains alike, where the
+/// element turns as its first node does. Strains are the same functions of what a section sees, wherever it has turned
+/// to: instead of their derivatives at the end those of the middle will do.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn {
     /// From the directions of the end to those of the middle.
     pub(super) rotation: Mat3,
-    /// What a change of the slope of each node, in the middle, turns the section by about the tangent more than at the end, rad.
+    /// What a change of the slope of each node, in the middle, turns the section by about the tangent more than at the
+    /// end, rad.
     pub(super) spin: [Vec3; 2],
 }
 
@@ -175,7 +185,8 @@ impl Turn {
         turned
     }
 
-    /// Multiplies `columns`, derivatives by the coordinates in the middle, from the right, without the rows and columns of `r_0`.
+    /// Multiplies `columns`, derivatives by the coordinates in the middle, from the right, without the rows and columns
+    /// of `r_0`.
     #[inline]
     pub fn apply(&self, columns: &mut ElementColumns) {
         let rotation = &self.rotation;
@@ -294,7 +305,8 @@ impl Element {
         }
     }
 
-    /// What `with` makes of the element over a step whose middle is `c` and whose end has the strains `end`. An evaluation is large: it is not moved.
+    /// What `with` makes of the element over a step whose middle is `c` and whose end has the strains `end`. An
+    /// evaluation is large: it is not moved.
     #[inline]
     pub fn over_step<R>(
         &self,
@@ -312,7 +324,8 @@ impl Element {
         with(&middle)
     }
 
-    /// Work of heat over the step that `middle` is of, J: what the strains without stress change by, against the resultants.
+    /// Work of heat over the step that `middle` is of, J: what the strains without stress change by, against the
+    /// resultants.
     pub fn work_of_heat(&self, middle: &Evaluation, step: &TimeStep) -> f64 {
         let [before, after] = [step.start, step.end].map(|c| self.natural(c));
         let resultants = [0, 1, 2].map(|g| middle.resultants(g));
@@ -330,7 +343,8 @@ impl Element {
 }
 
 impl Evaluation<'_> {
-    /// Turns the strains of the middle of `step` into the means of those at its start and at its end, `end`, and sets what the step adds.
+    /// Turns the strains of the middle of `step` into the means of those at its start and at its end, `end`, and sets
+    /// what the step adds.
     fn set_step(&mut self, end: &EndStrains, step: &TimeStep) {
         let element = self.element;
         let start = &step.starts[element.place.branch];

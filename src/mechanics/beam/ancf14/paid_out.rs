@@ -1,7 +1,9 @@
-//! An element of a beam that is paid out or hauled in: its free length is a multiple of the one as drawn (MECHANICS 3.11).
+//! An element of a beam that is paid out or hauled in: its free length is a multiple of the one as drawn (MECHANICS
+//! 3.11).
 //!
-//! All elements of the beam grow by the same factor, so that the material passes through the mesh: at the coordinate `x` of the mesh with the speed
-//! `c = (lambda'/lambda)(X − x)`, where `X` is the end that is not at the winch. At a given instant the element is an ANCF14 element of another free length.
+//! All elements of the beam grow by the same factor, so that the material passes through the mesh: at the coordinate
+//! `x` of the mesh with the speed `c = (lambda'/lambda)(X − x)`, where `X` is the end that is not at the winch. At a
+//! given instant the element is an ANCF14 element of another free length.
 
 use super::coordinates::{ELEMENT, SHAPE_PLACES};
 use super::damping;
@@ -40,7 +42,8 @@ pub struct PaidOut {
 }
 
 impl PaidOut {
-    /// The element `drawn`, which begins at `begin` m along its beam, paid out by `payout`. Its section is the same everywhere.
+    /// The element `drawn`, which begins at `begin` m along its beam, paid out by `payout`. Its section is the same
+    /// everywhere.
     pub fn new(mut drawn: Element, begin: f64, payout: Payout) -> Self {
         // A pretension is in the strains of its points already; without the box no copy asks for memory.
         drawn.prestress = None;
@@ -116,7 +119,8 @@ impl PaidOut {
         sum
     }
 
-    /// Adds the inertia of what passes through the mesh, beyond that of the mesh's own acceleration; over a step less `lambda' M v`, which the momentum of the mesh changes by as its mass grows.
+    /// Adds the inertia of what passes through the mesh, beyond that of the mesh's own acceleration; over a step less
+    /// `lambda' M v`, which the momentum of the mesh changes by as its mass grows.
     pub fn add_transport(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]) {
         let extent = self.extent(c.drives);
         let (velocity, scale) = match passage {
@@ -131,7 +135,8 @@ impl PaidOut {
         }
     }
 
-    /// Adds `scale` times the derivative of [`Self::add_transport`]; over a step twice that by the coordinates at its end.
+    /// Adds `scale` times the derivative of [`Self::add_transport`]; over a step twice that by the coordinates at its
+    /// end.
     pub fn add_transport_tangent(&self, c: &BeamConfiguration, passage: &Passage, scale: f64, block: &mut [f64]) {
         let extent = self.extent(c.drives);
         let by_velocity = match passage {
@@ -159,7 +164,8 @@ impl PaidOut {
         ratio * rate * (linear + 0.5 * rate * square)
     }
 
-    /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s) that the material has beyond those of the mesh.
+    /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s) that the material has beyond those of
+    /// the mesh.
     pub fn transport_momentum(&self, c: &BeamConfiguration) -> [Vec3; 2] {
         let (Extent { ratio, rate, .. }, own) = (self.extent(c.drives), self.drawn.own(c.q));
         let (mut linear, mut angular) = (Vec3::zeros(), Vec3::zeros());
@@ -174,7 +180,8 @@ impl PaidOut {
         [linear, angular]
     }
 
-    /// The part of the axial strains over `step`, whose middle is `c`, that comes from the growth of the free length, at the free length of the middle. No material is strained by it.
+    /// The part of the axial strains over `step`, whose middle is `c`, that comes from the growth of the free length,
+    /// at the free length of the middle. No material is strained by it.
     fn growth(&self, c: &BeamConfiguration, step: &TimeStep) -> Growth {
         let [before, now, after] = [step.start, c, step.end].map(|c| self.extent(c.drives).ratio);
         let power = self.power();
@@ -189,7 +196,8 @@ impl PaidOut {
         }
     }
 
-    /// The power of the stretch that the axial strain is made of: `(stretch^power − 1)/power`, 1 or, for Green's strain, 2.
+    /// The power of the stretch that the axial strain is made of: `(stretch^power − 1)/power`, 1 or, for Green's
+    /// strain, 2.
     fn power(&self) -> i32 {
         match self.drawn.stiffness.strain {
             Strain::Small => 1,
@@ -197,12 +205,14 @@ impl PaidOut {
         }
     }
 
-    /// The stretch of axial point `m`, where its strain is `strain`, to the power of [`Self::power`]: `−lambda'/lambda` times this is the rate of the strain at coordinates that stand still.
+    /// The stretch of axial point `m`, where its strain is `strain`, to the power of [`Self::power`]: `−lambda'/lambda`
+    /// times this is the rate of the strain at coordinates that stand still.
     fn stretch_power(&self, m: usize, strain: f64) -> f64 {
         1.0 + f64::from(self.power()) * (strain + self.drawn.axial[m].natural)
     }
 
-    /// Rates of the strains of `evaluation`, at `c`, with the velocities `velocity` of the system, but for what the free length grows by.
+    /// Rates of the strains of `evaluation`, at `c`, with the velocities `velocity` of the system, but for what the
+    /// free length grows by.
     fn rates(&self, evaluation: &Evaluation, c: &BeamConfiguration, velocity: &[f64]) -> [f64; STRAINS] {
         let mut rates = evaluation.element.strain_rates(evaluation, self.drawn.own(velocity));
         for (m, strain) in evaluation.axial_strains().into_iter().enumerate() {
@@ -211,11 +221,13 @@ impl PaidOut {
         rates
     }
 
-    /// The element that this one is at `c`, where axial strains over a step are the means of those of the material at both ends.
+    /// The element that this one is at `c`, where axial strains over a step are the means of those of the material at
+    /// both ends.
     fn over(&self, c: &BeamConfiguration, passage: &Passage) -> Element {
         let mut element = self.at(c);
         if let Passage::Step(step) = passage {
-            // The free length of the middle is not the mean of those of both ends: the difference is small for a length, and large beside the strain of a stiff rope.
+            // The free length of the middle is not the mean of those of both ends: the difference is small for a
+            // length, and large beside the strain of a stiff rope.
             for (point, mean) in element.axial.iter_mut().zip(self.growth(c, step).mean) {
                 point.natural += mean;
             }
@@ -223,7 +235,8 @@ impl PaidOut {
         element
     }
 
-    /// What `with` makes of `element`, which [`Self::over`] has given, as `passage` says. All strains of a step but the axial ones are those at the free length of its middle.
+    /// What `with` makes of `element`, which [`Self::over`] has given, as `passage` says. All strains of a step but the
+    /// axial ones are those at the free length of its middle.
     fn passing<R>(
         &self,
         element: &Element,
@@ -238,8 +251,10 @@ impl PaidOut {
         element.over_step(c, &EndStrains::new(&end), step, with)
     }
 
-    /// Energy that the winch has given over a step whose middle is `c`, with its `added` resultants, J: the elastic energy that another free length has at the coordinates of both ends, less the work
-    /// of inertia, of the added resultants and of the means of the strains against the growth. The energy of the weight and the change of [`Self::transport_energy`] are not in it.
+    /// Energy that the winch has given over a step whose middle is `c`, with its `added` resultants, J: the elastic
+    /// energy that another free length has at the coordinates of both ends, less the work of inertia, of the added
+    /// resultants and of the means of the strains against the growth. The energy of the weight and the change of
+    /// [`Self::transport_energy`] are not in it.
     fn given(&self, c: &BeamConfiguration, step: &TimeStep, added: &Added) -> f64 {
         let middle = self.at(c);
         let elastic =
@@ -258,7 +273,8 @@ impl PaidOut {
         elastic - worked + growing + [0, 1, 2].map(by_strain).iter().sum::<f64>()
     }
 
-    /// Energy that the winch has given to the weight over a step, in the field `gravity` (m/s²), J; positions count from `origin`.
+    /// Energy that the winch has given to the weight over a step, in the field `gravity` (m/s²), J; positions count
+    /// from `origin`.
     pub fn lifted(&self, c: &BeamConfiguration, step: &TimeStep, (gravity, origin): (&Vec3, &Vec3)) -> f64 {
         let [before, now, after] = [step.start, c, step.end].map(|c| self.extent(c.drives).ratio);
         let at_origin = self.drawn.inertia.line_density * self.drawn.length * gravity.dot(origin);

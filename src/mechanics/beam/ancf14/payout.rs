@@ -28,7 +28,8 @@ pub struct Extent {
 }
 
 impl Payout {
-    /// With the values `drives` of the drives; none of them: as drawn. Where less than [`SMALLEST_EXTENT`] would be left, that much is: the check of a state refuses it.
+    /// With the values `drives` of the drives; none of them: as drawn. Where less than [`SMALLEST_EXTENT`] would be
+    /// left, that much is: the check of a state refuses it.
     pub fn extent(&self, drives: &[Jet]) -> Extent {
         let paid = drives.get(self.drive).copied().unwrap_or_default();
         let ratio = (1.0 + paid.value / self.length).max(SMALLEST_EXTENT);

@@ -1,7 +1,8 @@
 //! Strains without stress that an element has followed: heat and prestress that would be stress if it had not deformed.
 //!
-//! A strain without stress `e_0` leaves the stress of `e = e(q) − e_0`. The part of `e_0` that the deformation since the drawing, `e + e_0`, follows is relieved: the smaller
-//! one of both where they have one sign. A held beam relieves nothing, a free one all.
+//! A strain without stress `e_0` leaves the stress of `e = e(q) − e_0`. The part of `e_0` that the deformation since
+//! the drawing, `e + e_0`, follows is relieved: the smaller one of both where they have one sign. A held beam relieves
+//! nothing, a free one all.
 
 use super::element::Evaluation;
 use crate::math::quadrature::LOBATTO_POINTS;
@@ -52,7 +53,8 @@ impl Evaluation<'_> {
     }
 }
 
-/// Size of the part of the strain without stress `free` that the deformation follows where the strain of stress is `strain`.
+/// Size of the part of the strain without stress `free` that the deformation follows where the strain of stress is
+/// `strain`.
 fn followed(free: f64, strain: f64) -> f64 {
     let deformation = strain + free;
     if deformation * free > 0.0 { deformation.abs().min(free.abs()) } else { 0.0 }

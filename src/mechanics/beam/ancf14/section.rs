@@ -15,7 +15,8 @@ use crate::math::quadrature::{LOBATTO_POINTS, collocation, lagrange};
 use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
 
-/// The section of `element` at `xi`, with the element's `kinematics`; `bubble` is the internal coordinate of the quadratic twist, rad.
+/// The section of `element` at `xi`, with the element's `kinematics`; `bubble` is the internal coordinate of the
+/// quadratic twist, rad.
 pub fn shape(element: &Element, c: &BeamConfiguration, kinematics: &Kinematics, xi: f64, bubble: f64) -> SectionShape {
     let q = element.own(c.q);
     let (shape_x, shape_xx) = (hermite::shape_x(xi, element.length), hermite::shape_xx(xi, element.length));
@@ -112,8 +113,8 @@ fn stretch(stiffness: &Stiffness, strains: &SectionStrains) -> f64 {
     }
 }
 
-/// The same strains in the order and with the signs of the energy densities (`g1` the curvature about z, `−g2` the one about y); the
-/// axial one is Green's where the energy's is.
+/// The same strains in the order and with the signs of the energy densities (`g1` the curvature about z, `−g2` the one
+/// about y); the axial one is Green's where the energy's is.
 fn strains_of_energy(stiffness: &Stiffness, strains: &SectionStrains) -> Strains {
     let [about_y, about_z] = strains.curvature;
     let axial = match stiffness.strain {

@@ -1,4 +1,5 @@
-//! Numbers that elements have in common are in memory once: those that follow from length and section alone, which most elements of a beam have alike.
+//! Numbers that elements have in common are in memory once: those that follow from length and section alone, which most
+//! elements of a beam have alike.
 //!
 //! They are two thirds of an element's numbers. A beam of many elements then has them in the processor's nearest cache.
 
@@ -35,7 +36,8 @@ mod tests {
     use crate::mechanics::beam::ancf14::strain::{Stiffness, Strain};
     use crate::mechanics::geometry::triad::Triad;
 
-    /// A straight element of length `length`, m, at some distance from the origin, with the torsional rigidity `torsion`.
+    /// A straight element of length `length`, m, at some distance from the origin, with the torsional rigidity
+    /// `torsion`.
     fn element(length: f64, torsion: f64) -> Element {
         let mut q = [0.0; ELEMENT];
         (q[0], q[3], q[NODE], q[NODE + 3]) = (7.0, 1.0, 7.0 + length, 1.0);

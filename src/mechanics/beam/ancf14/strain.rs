@@ -78,7 +78,8 @@ pub enum Strain {
     LargeTruncated,
 }
 
-/// Odd moments of a section about the axis, in its principal axes there, multiplied by Young's modulus: of a tension center off the axis.
+/// Odd moments of a section about the axis, in its principal axes there, multiplied by Young's modulus: of a tension
+/// center off the axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Eccentricity {
     /// `E ∫ (y, z) dA`, N m.

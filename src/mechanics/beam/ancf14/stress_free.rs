@@ -39,7 +39,8 @@ impl Element {
         self
     }
 
-    /// Curvatures about y and z and torsion without stress at `xi`, beyond those of a section that as drawn is `drawn` and is turned by `turn`, rad, 1/m and rad/m.
+    /// Curvatures about y and z and torsion without stress at `xi`, beyond those of a section that as drawn is `drawn`
+    /// and is turned by `turn`, rad, 1/m and rad/m.
     pub fn unstressed_beyond(
         &self,
         c: &BeamConfiguration,

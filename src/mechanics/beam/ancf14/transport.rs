@@ -4,8 +4,8 @@ use super::payout::Extent;
 use crate::math::hermite;
 use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS};
 
-/// Matrices of the transport of mass through an element: each stands before the unit matrix of space, and multiplies the coordinates of the curve. With the shape
-/// functions `N` and `d = X − x`:
+/// Matrices of the transport of mass through an element: each stands before the unit matrix of space, and multiplies
+/// the coordinates of the curve. With the shape functions `N` and `d = X − x`:
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transport {
     /// `ρA ∫ d N_a N'_b dx`: kg for two places, kg m for a place and a slope, kg m² for two slopes.
@@ -36,7 +36,8 @@ impl Transport {
         all
     }
 
-    /// The matrix that multiplies the coordinates in the force of inertia, `lambda [(lambda''/lambda − 2 r²) first + r² second]` with `r = lambda'/lambda`.
+    /// The matrix that multiplies the coordinates in the force of inertia,
+    /// `lambda [(lambda''/lambda − 2 r²) first + r² second]` with `r = lambda'/lambda`.
     pub fn by_q(&self, extent: &Extent) -> [[f64; 4]; 4] {
         let square = extent.rate * extent.rate;
         let (by_first, by_second) = (extent.ratio * (extent.acceleration - 2.0 * square), extent.ratio * square);

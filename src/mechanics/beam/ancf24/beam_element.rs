@@ -17,8 +17,8 @@ use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian,
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
 
-/// Smallest `1 + a·b` of directions at an element's ends: 143 degrees between them, as for ANCF14. Linear between them, a section
-/// would have less than a third of its size in the middle.
+/// Smallest `1 + a·b` of directions at an element's ends: 143 degrees between them, as for ANCF14. Linear between them,
+/// a section would have less than a third of its size in the middle.
 const SMALLEST_COSINE: f64 = 0.2;
 
 /// Where `r_y` and `r_z` of an interior section come from.

@@ -1,7 +1,8 @@
 //! Order of the coordinates: a node is `r`, `r_x`, `r_y`, `r_z` (3 each); an element is its two nodes.
 //!
-//! Inside, `r(x, y, z) = r(x) + y r_y(x) + z r_z(x)`: the axis is the cubic through the nodes (`s1, s2, s5, s6` of the element),
-//! the gradients across are linear (`s3, s4, s7, s8`). All that strains need of a section are its five directors.
+//! Inside, `r(x, y, z) = r(x) + y r_y(x) + z r_z(x)`: the axis is the cubic through the nodes (`s1, s2, s5, s6` of the
+//! element), the gradients across are linear (`s3, s4, s7, s8`). All that strains need of a section are its five
+//! directors.
 
 use crate::math::vectors::vec3;
 use crate::math::{Vec3, hermite};
@@ -53,8 +54,8 @@ impl Interpolation {
         Self { shape_x: hermite::shape_x(xi, length), linear: [1.0 - xi, xi], linear_x: [-1.0 / length, 1.0 / length] }
     }
 
-    /// The eight vectors of an element: where each starts, and what it gives to which directors (number, weight); the second
-    /// director of an axis vector has no weight.
+    /// The eight vectors of an element: where each starts, and what it gives to which directors (number, weight); the
+    /// second director of an axis vector has no weight.
     fn shares(&self) -> [(usize, [(usize, f64); 2]); 8] {
         let axis = |a: usize| (AXIS_PLACES[a], [(0, self.shape_x[a]), (0, 0.0)]);
         let across = |places: [usize; 2], director: usize, node: usize| {

@@ -1,17 +1,19 @@
-//! Kelvin-Voigt damping: `stress = C (strain + c rate)` with `c` in s, over all strains of the energy, at its own fibers.
+//! Kelvin-Voigt damping: `stress = C (strain + c rate)` with `c` in s, over all strains of the energy, at its own
+//! fibers.
 //!
-//! Strains are quadratic in the coordinates: over a step their rate is the change of the strains over its length, and a rigid
-//! motion, however fast, is not damped at all.
+//! Strains are quadratic in the coordinates: over a step their rate is the change of the strains over its length, and a
+//! rigid motion, however fast, is not damped at all.
 
 use super::element::Element;
 
-/// Adds the viscous force over a step of length `h` from the coordinates `start` to `end` (24 each), with `middle` between them, to `forces`:
-/// `∂strain(middle)ᵀ c C (strain(end) − strain(start))/h`.
+/// Adds the viscous force over a step of length `h` from the coordinates `start` to `end` (24 each), with `middle`
+/// between them, to `forces`: `∂strain(middle)ᵀ c C (strain(end) − strain(start))/h`.
 pub fn add_force_over_step(element: &Element, [start, middle, end]: [&[f64]; 3], h: f64, forces: &mut [f64]) {
     add_over_step(element, [start, middle, end], h, forces, None);
 }
 
-/// [`add_force_over_step`], and adds `scale` times twice its derivative by the coordinates at the end of the step to `block`, 24×24.
+/// [`add_force_over_step`], and adds `scale` times twice its derivative by the coordinates at the end of the step to
+/// `block`, 24×24.
 pub fn add_force_and_tangent_over_step(
     element: &Element,
     places: [&[f64]; 3],

@@ -75,8 +75,9 @@ impl Element {
         self.stations.iter().map(energy).sum()
     }
 
-    /// Adds `∂U/∂q` to `forces` (24); with the `increment` (24) over a step whose middle is `q`, the strains are the mean of both ends', so that
-    /// the force works as much as the energy changes (MECHANICS 7.6; here that is so for all strains).
+    /// Adds `∂U/∂q` to `forces` (24); with the `increment` (24) over a step whose middle is `q`, the strains are the
+    /// mean of both ends', so that the force works as much as the energy changes (MECHANICS 7.6; here that is so for
+    /// all strains).
     pub fn add_gradient(&self, q: &[f64], increment: Option<&[f64]>, forces: &mut [f64]) {
         for station in &self.stations {
             let [directors, change] = directors(&station.interpolation, q, increment);
@@ -85,8 +86,8 @@ impl Element {
         }
     }
 
-    /// [`Self::add_gradient`], and adds `scale` times the Hessian to the column-major `block`, 24×24; over a step twice the derivative by
-    /// the coordinates at its end (slightly unsymmetric).
+    /// [`Self::add_gradient`], and adds `scale` times the Hessian to the column-major `block`, 24×24; over a step twice
+    /// the derivative by the coordinates at its end (slightly unsymmetric).
     pub fn add_gradient_and_hessian(
         &self,
         q: &[f64],

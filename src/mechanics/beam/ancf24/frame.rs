@@ -1,7 +1,9 @@
-//! The section's triad from its gradients: `y` along `r_y`, `z` along what of `r_z` is perpendicular to it, `t = y × z` its normal.
+//! The section's triad from its gradients: `y` along `r_y`, `z` along what of `r_z` is perpendicular to it, `t = y × z`
+//! its normal.
 //!
-//! Not along `r_x`: the axis leans against the section by its shear. What holds or turns a section must hold `r_y` and `r_z`, to which bending
-//! moments belong; held by its tangent alone, a beam can bend at a clamp as if it were hinged, the more the finer the mesh.
+//! Not along `r_x`: the axis leans against the section by its shear. What holds or turns a section must hold `r_y` and
+//! `r_z`, to which bending moments belong; held by its tangent alone, a beam can bend at a clamp as if it were hinged,
+//! the more the finer the mesh.
 
 use super::coordinates::{Y, Z};
 use crate::math::rotation::normal_projector;
@@ -56,8 +58,8 @@ impl SectionFrame {
         [(y.cross_matrix() - spin * (self.lean / self.height)) / self.width, spin / self.height]
     }
 
-    /// Derivatives by `r_y` and `r_z` of the generalized forces on `r_y` and on `r_z` of the moment `moment`, N m, frozen in space:
-    /// `Q_y = m × y/|r_y| − t (y·m)(y·r_z)/(|r_y| |r_z⊥|)`, `Q_z = t (y·m)/|r_z⊥|`.
+    /// Derivatives by `r_y` and `r_z` of the generalized forces on `r_y` and on `r_z` of the moment `moment`, N m,
+    /// frozen in space: `Q_y = m × y/|r_y| − t (y·m)(y·r_z)/(|r_y| |r_z⊥|)`, `Q_z = t (y·m)/|r_z⊥|`.
     fn moment_force_by(&self, moment: &Vec3) -> [[Mat3; 2]; 2] {
         let [t, y, z] = [0, 1, 2].map(|number| self.axis(number));
         let Self { width, height, lean, .. } = *self;

@@ -3,7 +3,8 @@
 use super::coordinates::{AXIS_PLACES, ELEMENT, Y_PLACES, Z_PLACES};
 use crate::math::hermite;
 
-/// Products of shape functions, integrated over the element, with the density: the mass matrix is this times the unit matrix of space.
+/// Products of shape functions, integrated over the element, with the density: the mass matrix is this times the unit
+/// matrix of space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mass {
     /// `ρA ∫ N_a N_b dx` of the vectors of the axis, kg.

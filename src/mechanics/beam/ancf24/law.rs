@@ -1,7 +1,7 @@
 //! St Venant-Kirchhoff material in the section's axes, and the two cures of the element's diseases.
 //!
-//! Linear across, the section cannot bend as Poisson's effect has it, nor warp. With the full law it so resists bending by `λ + 2 G`
-//! instead of `E` (Poisson locking), and torsion by `G (Iy + Iz)` instead of `G Jt`.
+//! Linear across, the section cannot bend as Poisson's effect has it, nor warp. With the full law it so resists bending
+//! by `λ + 2 G` instead of `E` (Poisson locking), and torsion by `G (Iy + Iz)` instead of `G Jt`.
 
 use super::strain::VoigtMatrix;
 use crate::mechanics::beam::material::Material;
@@ -16,8 +16,8 @@ pub enum Shear {
     Continuum,
 }
 
-/// Stresses by Green-Lagrange strains in Voigt's order, Pa: `E` in all three directions and no coupling of them, or, with `poisson`,
-/// Hooke's law; `3 G > E` then.
+/// Stresses by Green-Lagrange strains in Voigt's order, Pa: `E` in all three directions and no coupling of them, or,
+/// with `poisson`, Hooke's law; `3 G > E` then.
 pub fn law(material: &Material, section: &Section, poisson: bool, shear: Shear) -> VoigtMatrix {
     let (young, modulus) = (material.young, material.shear);
     let across = match shear {

@@ -8,7 +8,8 @@ use crate::mechanics::geometry::triad::Triad;
 /// Fibers of a section: two by two.
 pub const FIBERS: usize = 4;
 
-/// Where the fibers of a section are: symmetric, so that they have its area and second moments (Gauss points of a rectangle).
+/// Where the fibers of a section are: symmetric, so that they have its area and second moments (Gauss points of a
+/// rectangle).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fibers {
     /// Area of all of them, m².
@@ -84,8 +85,8 @@ impl Fiber {
 }
 
 impl Station {
-    /// At `xi` of an element of this length (m) whose undeformed coordinates are `reference` (24), with the material `law`, Pa;
-    /// `weight` is the share of the length, m.
+    /// At `xi` of an element of this length (m) whose undeformed coordinates are `reference` (24), with the material
+    /// `law`, Pa; `weight` is the share of the length, m.
     pub fn new(xi: f64, length: f64, reference: &[f64], fibers: &Fibers, law: &VoigtMatrix, weight: f64) -> Self {
         let interpolation = Interpolation::new(xi, length);
         let directors = interpolation.directors(reference);
@@ -156,8 +157,8 @@ impl Station {
         sum
     }
 
-    /// `Σ [stress : ∂²strain + factor (∂strain(d))ᵀ C ∂strain(other)]` by the directors: what the forces of the stresses change by, where
-    /// the stresses change by `factor C ∂strain(other)`.
+    /// `Σ [stress : ∂²strain + factor (∂strain(d))ᵀ C ∂strain(other)]` by the directors: what the forces of the
+    /// stresses change by, where the stresses change by `factor C ∂strain(other)`.
     pub fn stiffness(&self, d: &Directors, stresses: &Strains, other: &Directors, factor: f64) -> DirectorMatrix {
         let mut sum = [[0.0; DIRECTORS]; DIRECTORS];
         for (fiber, stress) in self.fibers.iter().zip(stresses) {

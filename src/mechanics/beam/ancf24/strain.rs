@@ -1,6 +1,8 @@
-//! Green-Lagrange strain: half the scalar products of the base vectors `g = (∂r/∂x, ∂r/∂y, ∂r/∂z)`, less those of the undeformed beam.
+//! Green-Lagrange strain: half the scalar products of the base vectors `g = (∂r/∂x, ∂r/∂y, ∂r/∂z)`, less those of the
+//! undeformed beam.
 //!
-//! In Voigt's order `xx, yy, zz, 2 yz, 2 zx, 2 xy`. The products are quadratic: their derivative is linear in `g`, their second one constant.
+//! In Voigt's order `xx, yy, zz, 2 yz, 2 zx, 2 xy`. The products are quadratic: their derivative is linear in `g`,
+//! their second one constant.
 
 use crate::math::{Mat3, Vec3};
 use nalgebra::{SMatrix, SVector};
@@ -46,8 +48,8 @@ pub fn tensor(stress: &Voigt) -> Mat3 {
     )
 }
 
-/// Strains in local axes by strains in the base `base`, whose columns are base vectors in these axes: `E_local = J^-T E J^-1`; none
-/// where the base has no volume.
+/// Strains in local axes by strains in the base `base`, whose columns are base vectors in these axes:
+/// `E_local = J^-T E J^-1`; none where the base has no volume.
 pub fn to_local(base: &Mat3) -> Option<VoigtMatrix> {
     let inverse = base.try_inverse()?;
     let mut sum = VoigtMatrix::zeros();

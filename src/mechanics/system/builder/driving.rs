@@ -1,4 +1,5 @@
-//! Adds what acts on the free coordinates of joints by conditions: drives, locks and gears; and the switches that engage and release these and joints.
+//! Adds what acts on the free coordinates of joints by conditions: drives, locks and gears; and the switches that
+//! engage and release these and joints.
 
 use super::SystemBuilder;
 use crate::mechanics::beam::ancf14::paid_out::PaidOut;
@@ -21,8 +22,8 @@ impl SystemBuilder {
         self.system.switches.len() - 1
     }
 
-    /// Adds a drive of b against a along or about their first axis, which a `switch` may engage and release, and returns its number; `target` is its value or
-    /// rate at the start, where a host gives it.
+    /// Adds a drive of b against a along or about their first axis, which a `switch` may engage and release, and
+    /// returns its number; `target` is its value or rate at the start, where a host gives it.
     pub fn add_drive(
         &mut self,
         name: &str,
@@ -47,7 +48,8 @@ impl SystemBuilder {
         number
     }
 
-    /// Lets beam `beam`, of ANCF14 with the same section everywhere, be paid out at its end, or at its start; arguments as of [`Self::add_drive`].
+    /// Lets beam `beam`, of ANCF14 with the same section everywhere, be paid out at its end, or at its start; arguments
+    /// as of [`Self::add_drive`].
     pub fn add_winch(&mut self, name: &str, (beam, at_end): (usize, bool), (guide, target): (Guide, f64)) {
         let drive = self.system.drives.len();
         let range = self.system.beams[beam].element_range();
@@ -91,7 +93,8 @@ impl SystemBuilder {
         self.system.joint_parts[joint].locks.push(lock);
     }
 
-    /// Adds a gear between relative coordinates, `x_first − ratio·x_second = 0`, or with a law `x_first − f(x_second) = 0`, and returns its number.
+    /// Adds a gear between relative coordinates, `x_first − ratio·x_second = 0`, or with a law
+    /// `x_first − f(x_second) = 0`, and returns its number.
     pub fn add_gear(&mut self, name: &str, coordinates: [usize; 2], ratio: f64, law: Option<CamLaw>) -> usize {
         let gear = self.gear_joints.len() / 2;
         let sides = [(coordinates[0], 1.0, None, false), (coordinates[1], -ratio, law, true)];

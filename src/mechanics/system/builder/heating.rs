@@ -13,7 +13,8 @@ impl SystemBuilder {
         HeatGuide::Host(self.targets.heats.len() - 1)
     }
 
-    /// Lets `guides`, one for all elements or one for each, act on beam `beam`, of ANCF14, whose material expands by `expansion`, 1/K.
+    /// Lets `guides`, one for all elements or one for each, act on beam `beam`, of ANCF14, whose material expands by
+    /// `expansion`, 1/K.
     pub fn heat(&mut self, beam: usize, guides: Vec<HeatGuide>, expansion: f64) {
         let first = self.system.heats.len();
         let elements = self.system.beams[beam].element_range();

@@ -1,4 +1,5 @@
-//! `[actuator.NAME]`: a torque or a force on a free coordinate of a joint, or a force along the line between two points.
+//! `[actuator.NAME]`: a torque or a force on a free coordinate of a joint, or a force along the line between two
+//! points.
 
 use super::Parts;
 use super::drive::check_coordinate;

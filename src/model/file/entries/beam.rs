@@ -120,8 +120,8 @@ enum Word {
     Ancf24,
 }
 
-/// Reads how the elements of a beam are formulated, with the strain `strain` unless another one is written. Keys of the other formulation are mistakes; those of the file go with its `element`,
-/// where an override gives another one.
+/// Reads how the elements of a beam are formulated, with the strain `strain` unless another one is written. Keys of the
+/// other formulation are mistakes; those of the file go with its `element`, where an override gives another one.
 fn formulation(reader: &mut Reader<'_, '_>, strain: Strain) -> Elements {
     let is_overridden = reader.is_overridden("element");
     let foreign = |reader: &mut Reader<'_, '_>, keys: &[&str], own: &str, other: &str| {
@@ -207,7 +207,8 @@ impl BeamSpec {
         let line = Line::read(&mut reader);
         let y_axis = reader.vector_or(&Y_AXIS, [0.0, 1.0, 0.0]);
         let elements = reader.number(&ELEMENTS);
-        // Rigidities are what they say they are: moments in proportion to curvatures. Of a section that is known the fibers' strain is.
+        // Rigidities are what they say they are: moments in proportion to curvatures. Of a section that is known the
+        // fibers' strain is.
         let strain = if has_material { Strain::Small } else { Strain::Large };
         let formulation = formulation(&mut reader, strain);
         let pretwist = reader.number_or(&PRETWIST, 0.0);

@@ -34,7 +34,8 @@ const FRICTION_TORSION: Rule =
 const FRICTION_STIFFNESS: Rule =
     Rule::new("friction_stiffness", "stiffness of dry friction while it holds", "N/m").above(0.0).tunable();
 
-/// The elastic way of dry friction before it slides where its stiffness is not given: an angle, rad, and a share of the size of the mechanism.
+/// The elastic way of dry friction before it slides where its stiffness is not given: an angle, rad, and a share of the
+/// size of the mechanism.
 const STICKING_ANGLE: f64 = 1e-4;
 const STICKING_SHARE: f64 = 1e-5;
 
@@ -58,7 +59,8 @@ pub struct FrictionSpec {
 /// How dry friction grows from rest.
 #[derive(Clone, Copy, Debug)]
 pub enum Growth {
-    /// With the elastic way of sides that stick: stiffness, N/m or N m/rad; none: as the size of the mechanism asks for.
+    /// With the elastic way of sides that stick: stiffness, N/m or N m/rad; none: as the size of the mechanism asks
+    /// for.
     Sticking(Option<Number>),
     /// With the rate: that at which it has 71 % of `coulomb`, m/s or rad/s. It creeps instead of holding.
     Rate(Number),

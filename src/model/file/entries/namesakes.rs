@@ -1,10 +1,12 @@
-//! A place and a connection of one name, as a point `pin` and the joint `pin` at it: which one the `at` of an output means.
+//! A place and a connection of one name, as a point `pin` and the joint `pin` at it: which one the `at` of an output
+//! means.
 
 use crate::model::file::quantity::QUANTITIES;
 use crate::model::file::reader::Reader;
 use crate::model::text::names::{Kind, Named};
 
-/// Which of a connection and a place of one name an output means: the one that has its quantities. None, with a report: both have.
+/// Which of a connection and a place of one name an output means: the one that has its quantities. None, with a report:
+/// both have.
 pub(super) fn which(reader: &mut Reader<'_, '_>, connection: Named, place: Named) -> Option<Named> {
     let words = reader.texts_of("quantities");
     let rows = || QUANTITIES.iter().filter(|row| words.iter().any(|word| word == row.word));

@@ -1,4 +1,5 @@
-//! `[output.NAME]`: what is measured at a point, of a whole beam or body, at a body, a joint, a drive, an actuator, a gear, a spring, friction, a stop, a lock or a frame, or along a beam.
+//! `[output.NAME]`: what is measured at a point, of a whole beam or body, at a body, a joint, a drive, an actuator, a
+//! gear, a spring, friction, a stop, a lock or a frame, or along a beam.
 
 use super::Parts;
 use super::acting::Acting;

@@ -13,7 +13,8 @@ use crate::model::text::tree::{Entry, Item, Node};
 /// The keys of a parameter that is given as a table.
 const KEYS: [&str; 6] = ["value", "unit", "display", "min", "max", "description"];
 
-/// Puts the entries into the list of numbers, and gives back their values: all names must be in the list before the first expression is read.
+/// Puts the entries into the list of numbers, and gives back their values: all names must be in the list before the
+/// first expression is read.
 pub(in crate::model) fn names<'e>(context: &mut Context<'_>, entries: &'e [Entry]) -> Vec<(Number, &'e Item)> {
     let mut values = Vec::new();
     for entry in entries {

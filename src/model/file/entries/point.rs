@@ -26,15 +26,16 @@ pub struct PointSpec {
     pub place: Place,
     /// What it is tied to; default: the ground.
     pub on: Anchor,
-    /// Its place relative to that, in the axes of that, m: global axes of the ground, body axes from the center of mass, section axes of a beam.
+    /// Its place relative to that, in the axes of that, m: global axes of the ground, body axes from the center of
+    /// mass, section axes of a beam.
     pub offset: [Number; 3],
     /// Its axes as drawn, global, one per row; default: those of what it is tied to.
     pub axes: Option<[[Number; 3]; 3]>,
 }
 
 impl PointSpec {
-    /// Also tells the context what the point is tied to, for all that refers to it. A mistake in `on` leaves a point of the ground, to which no reference is
-    /// found.
+    /// Also tells the context what the point is tied to, for all that refers to it. A mistake in `on` leaves a point of
+    /// the ground, to which no reference is found.
     pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let place = reader.place;
         let ground = Anchor { place, spot: Spot::Ground, point: None };

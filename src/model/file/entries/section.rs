@@ -1,4 +1,5 @@
-//! `[section.NAME]`: a cross-section, as a shape, as integrals, as a shape with some integrals given, or as rigidities; any number may vary along the beam.
+//! `[section.NAME]`: a cross-section, as a shape, as integrals, as a shape with some integrals given, or as rigidities;
+//! any number may vary along the beam.
 
 use super::Parts;
 use super::damping::{DAMPING_FREQUENCIES, DAMPING_RATIOS, Damping, MASS_DAMPING, MATERIAL_DAMPING};
@@ -97,7 +98,8 @@ pub struct SectionSpec {
     pub product_moment: Option<Number>,
     /// `∫ (y² + z²) dA` for spin inertia and Wagner term, m⁴; default: the sum of the second moments.
     pub polar_moment: Option<Number>,
-    /// `∫ y⁴ dA`, `∫ y² z² dA`, `∫ z⁴ dA`, m⁶; default: of the shape; for a general section of a rectangle with the same area and second moments.
+    /// `∫ y⁴ dA`, `∫ y² z² dA`, `∫ z⁴ dA`, m⁶; default: of the shape; for a general section of a rectangle with the
+    /// same area and second moments.
     pub fourth_moments: Option<[Number; 3]>,
     /// Turn about the tangent, rad.
     pub turn: Option<Number>,
@@ -191,7 +193,8 @@ pub struct Rigidities {
     pub bending: [Number; 2],
     /// `∫ E y z dA`, N m².
     pub coupling: Option<Number>,
-    /// Where axial forces act without bending, along y and z from the axis, m; the bending rigidities are about axes through it.
+    /// Where axial forces act without bending, along y and z from the axis, m; the bending rigidities are about axes
+    /// through it.
     pub tension_center: Option<[Number; 2]>,
     /// N m².
     pub torsion: Number,
@@ -321,7 +324,8 @@ impl SectionSpec {
         functions.filter(|(_, function)| !function.is_constant()).collect()
     }
 
-    /// What no single number can be wrong about, with the values that `value` gives: walls leave room for each other, stiffness is positive.
+    /// What no single number can be wrong about, with the values that `value` gives: walls leave room for each other,
+    /// stiffness is positive.
     pub(in crate::model) fn objection(&self, value: impl Fn(Number) -> f64) -> Option<(Number, String)> {
         let below = |small: Number, factor: f64, large: Number, what: &str| {
             (factor * value(small) >= value(large))

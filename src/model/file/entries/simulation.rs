@@ -37,7 +37,7 @@ const STEP: Rule = Rule::new("step", "largest internal step", "s").above(0.0);
 const ACCURACY: Rule = Rule::new("accuracy", "error of a motion because of its steps, as a share of its range", "")
     .from(FINEST_ACCURACY)
     .to(COARSEST_ACCURACY);
-/// What [`ACCURACY`] may be: below, round-off is more; above, the steps of a motion say nothing of it.
+/// Range of `accuracy`: below, round-off is more; above, the steps of a motion say nothing of it.
 pub const FINEST_ACCURACY: f64 = 1e-9;
 /// The other end of that range.
 pub const COARSEST_ACCURACY: f64 = 0.1;
@@ -61,7 +61,8 @@ pub struct SimulationSpec {
     pub integrator: IntegratorSpec,
     /// Where the state comes from at the start.
     pub initial: Initial,
-    /// The file with the state of another run that this one begins with, and where it is named; none: it begins as `initial` says.
+    /// The file with the state of another run that this one begins with, and where it is named; none: it begins as
+    /// `initial` says.
     pub from_state: Option<(String, Place)>,
     /// Duration of the static path that leads to the initial equilibrium, s; none: that equilibrium is found at once.
     pub preload: Option<Number>,
@@ -69,7 +70,8 @@ pub struct SimulationSpec {
     pub stop: Number,
     /// What the internal steps follow from.
     pub steps: Steps,
-    /// Time between two rows of results, s; see [`Document::output_step`](crate::model::document::Document::output_step).
+    /// Time between two rows of results, s; see
+    /// [`Document::output_step`](crate::model::document::Document::output_step).
     pub output_step: Option<Number>,
     /// Bound of the last Newton increment.
     pub tolerance: Number,
@@ -112,7 +114,8 @@ pub enum Follow {
     Time,
     /// The arc length of their path, on which `t` may turn back.
     ArcLength {
-        /// The branch points at which the run goes over to the path that crosses, from 1; negative: in the opposite direction.
+        /// The branch points at which the run goes over to the path that crosses, from 1; negative: in the opposite
+        /// direction.
         branches: Vec<i64>,
     },
 }
@@ -183,11 +186,11 @@ enum Word {
 const USUAL_ACCURACY: f64 = 1e-3;
 /// Default of `tolerance`.
 const USUAL_TOLERANCE: f64 = 1e-8;
-/// Default of `spectral_radius` for `conserving`: what is far too fast for the step is down to a tenth after 22 of them, and a strain with 60 steps a period, whose phase
-/// errs by 1e-3, has a damping ratio of 6e-6.
+/// Default of `spectral_radius` for `conserving`: what is far too fast for the step is down to a tenth after 22 of
+/// them, and a strain with 60 steps a period, whose phase errs by 1e-3, has a damping ratio of 6e-6.
 const CONSERVED: f64 = 0.9;
-/// Default of `spectral_radius` for `generalized_alpha`: the fastest oscillations lose a fifth a step. With 0.9 a body that turns by 0.12 rad a step gains energy without
-/// bound; with 0.8 it loses 1 % in 1,500 steps.
+/// Default of `spectral_radius` for `generalized_alpha`: the fastest oscillations lose a fifth a step. With 0.9 a body
+/// that turns by 0.12 rad a step gains energy without bound; with 0.8 it loses 1 % in 1,500 steps.
 const USUAL_RADIUS: f64 = 0.8;
 
 impl SimulationSpec {
@@ -222,8 +225,8 @@ impl SimulationSpec {
         let totals = totals(&mut reader, analysis);
         let steps = steps(&mut reader, step, analysis == Analysis::Dynamic && !is_estimated);
         let place = reader.place;
-        // The two that a host may always change are parameters also where the file does not write them; the two that only
-        // fill the default experiment are none.
+        // The two that a host may always change are parameters also where the file does not write them; the two that
+        // only fill the default experiment are none.
         let slots = &mut reader.context.numbers.slots;
         for number in [steps.number(), tolerance] {
             slots[number.0].listed.get_or_insert(usize::MAX);

@@ -48,7 +48,8 @@ pub struct SpringSpec {
     pub action: Action,
     /// Its law.
     pub law: SpringLaw,
-    /// Unstretched length, m; default: the distance of the ends as drawn. On a joint the value of the coordinate, m or rad; default 0.
+    /// Unstretched length, m; default: the distance of the ends as drawn. On a joint the value of the coordinate, m or
+    /// rad; default 0.
     pub rest: Option<Number>,
 }
 
@@ -105,7 +106,8 @@ impl Strength {
 }
 
 impl Parts {
-    /// The springs of the system that the file has, in the order in which they are built: springs, friction, stops. `size` is the size of the mechanism, m.
+    /// The springs of the system that the file has, in the order in which they are built: springs, friction, stops.
+    /// `size` is the size of the mechanism, m.
     pub fn springs_in_system<'a>(
         &'a self,
         numbers: &'a Numbers,

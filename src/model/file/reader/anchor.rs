@@ -1,4 +1,5 @@
-//! What joints, springs, loads and outputs hold on to: `ground`, `arm.start`, `arm.end`, `arm@0.5`, `arm.node[3]`, a body, a frame, a point.
+//! What joints, springs, loads and outputs hold on to: `ground`, `arm.start`, `arm.end`, `arm@0.5`, `arm.node[3]`, a
+//! body, a frame, a point.
 
 use super::{Context, Reader, either};
 use crate::model::expression::Variable;
@@ -158,7 +159,8 @@ impl Anchor {
         }
     }
 
-    /// Reports a spring or an actuator between two points of which neither moves: unlike a joint, it also has a force between frames.
+    /// Reports a spring or an actuator between two points of which neither moves: unlike a joint, it also has a force
+    /// between frames.
     pub(in crate::model) fn expect_way(reader: &mut Reader<'_, '_>, a: Option<Self>, b: Option<Self>) {
         let (Some(a), Some(b)) = (a, b) else { return };
         let frames = &reader.context.moving_frames;

@@ -164,8 +164,8 @@ impl<'c, 'a> Reader<'c, 'a> {
         Self { context, title, place, prefix, entries, keys, known: Vec::new(), missing: Vec::new(), lists: true }
     }
 
-    /// A table that a key gives, read as a section of its own; its numbers are no parameters. None: the key is not there, or
-    /// gives something else, which is reported.
+    /// A table that a key gives, read as a section of its own; its numbers are no parameters. None: the key is not
+    /// there, or gives something else, which is reported.
     pub fn inner(&mut self, key: &'static str, expected: &str) -> Option<Reader<'_, 'a>> {
         let entry = self.take(key)?;
         let name = format!("{}{key}", self.prefix);

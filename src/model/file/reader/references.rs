@@ -9,7 +9,8 @@ impl Reader<'_, '_> {
         self.reference_among(key, &[kind]).map(|(_, index)| index)
     }
 
-    /// The name of another thing of the file, of one of these kinds: its kind and its place among it; none: a mistake, which is reported.
+    /// The name of another thing of the file, of one of these kinds: its kind and its place among it; none: a mistake,
+    /// which is reported.
     pub fn reference_among(&mut self, key: &'static str, kinds: &[Kind]) -> Option<(Kind, usize)> {
         let known = self.has(key);
         let words = either(&kinds.iter().map(|kind| kind.word()).collect::<Vec<_>>());

@@ -1,6 +1,8 @@
-//! The comparison run beside a motion that tells its mesh error: the same model with half the elements, or with twice as many where no beam can do with fewer.
+//! The comparison run beside a motion that tells its mesh error: the same model with half the elements, or with twice
+//! as many where no beam can do with fewer.
 //!
-//! With elements `r` times as long, errors of order `p` are `r^p` times as large: the difference of both runs is `|r^p - 1|` times the error of the first one.
+//! With elements `r` times as long, errors of order `p` are `r^p` times as large: the difference of both runs is `|r^p
+//! - 1|` times the error of the first one.
 //!
 //! The library has no threads: the caller says where the comparison run takes place.
 

@@ -1,4 +1,5 @@
-//! The end of a run: how far its results are off because of its steps and its mesh, and what else the user should know of it as a whole.
+//! The end of a run: how far its results are off because of its steps and its mesh, and what else the user should know
+//! of it as a whole.
 
 use super::Simulation;
 use super::runner::Runner;
@@ -6,8 +7,8 @@ use crate::model::run::accuracy::{Inexact, Setting};
 use crate::model::run::levels;
 
 impl Simulation {
-    /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion, and where they are corrected as is left of that; empty where
-    /// that is not known.
+    /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion,
+    /// and where they are corrected as is left of that; empty where that is not known.
     pub fn estimated_errors(&self) -> Vec<Inexact> {
         if !self.runner.state.time_error.is_known() {
             return Vec::new();
@@ -20,7 +21,8 @@ impl Simulation {
         self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
     }
 
-    /// Warns at the end of the errors of these results only, as `tip.position` or a component of it: nobody reads the others.
+    /// Warns at the end of the errors of these results only, as `tip.position` or a component of it: nobody reads the
+    /// others.
     pub fn judge_only(&mut self, names: &[&str]) {
         let family = |name: &&str| name.split('[').next().unwrap_or(name).to_owned();
         self.judged = Some(names.iter().map(family).collect());

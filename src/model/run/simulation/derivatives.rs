@@ -1,7 +1,7 @@
 //! Derivatives of the last communication step: of its results by its inputs, and by time.
 //!
-//! They are asked for whenever the standard allows it, also where there is no last step: no result depends on an input then, and what
-//! does not follow from the motion changes as in an internal step on trial.
+//! They are asked for whenever the standard allows it, also where there is no last step: no result depends on an input
+//! then, and what does not follow from the motion changes as in an internal step on trial.
 
 use super::runner::Plan;
 use super::solver::Solver;
@@ -137,8 +137,8 @@ impl sensitivity::Inputs for Given<'_> {
 }
 
 impl Simulation {
-    /// The derivative of result number `result` at the end of the last step by input number `input` of that step; 0 where there is none, for
-    /// a result does not change with an input before a step is taken.
+    /// The derivative of result number `result` at the end of the last step by input number `input` of that step; 0
+    /// where there is none, for a result does not change with an input before a step is taken.
     pub(super) fn partial_derivative(&mut self, result: usize, input: usize) -> Result<f64, Failure> {
         if !self.last.known {
             return Ok(0.0);
@@ -267,8 +267,9 @@ pub(super) fn finite(derivative: f64) -> Result<f64, Failure> {
     }
 }
 
-/// Repeats the step that led to `state` and differentiates it, with the `response` there if results ask for it. Returns the derivatives with
-/// the state that they are of. Not inlined: all integrators together would take their stack side by side.
+/// Repeats the step that led to `state` and differentiates it, with the `response` there if results ask for it. Returns
+/// the derivatives with the state that they are of. Not inlined: all integrators together would take their stack side
+/// by side.
 #[inline(never)]
 fn differentiate<I: Linearized>(
     integrator: &mut I,

@@ -3,8 +3,9 @@
 use crate::fmi::variable::Variable;
 use crate::model::variables::Table;
 
-/// A name-based hash of the file, of its overrides and of what a host knows variables by: what its XML and the model must agree on. It has no
-/// number that was computed: the last bits of a sine depend on the processor and on the C library.
+/// A name-based hash of the file, of its overrides and of what a host knows variables by: what its XML and the model
+/// must agree on. It has no number that was computed: the last bits of a sine depend on the processor and on the C
+/// library.
 pub(super) fn guid(text: &str, overrides: &[(String, String)], table: &Table) -> String {
     let mut content = format!("ancf14 {}\n{text}\n", env!("CARGO_PKG_VERSION"));
     for (key, value) in overrides {
@@ -33,7 +34,8 @@ mod tests {
     use crate::fmi::Value;
     use crate::model::file::document::Document;
 
-    /// Two processors, or two C libraries, may give a start value different last bits; the file is the same all the same.
+    /// Two processors, or two C libraries, may give a start value different last bits; the file is the same all the
+    /// same.
     #[test]
     fn regression_start_values_are_not_in_the_guid() {
         let text = include_str!("../../../../models/crane.toml");

@@ -1,8 +1,9 @@
 //! The state that a run leaves in a file, and the run that continues from it or begins with it.
 //!
-//! The bytes are those of a saved state, behind a label that tells whether it fits: the parts of the mechanism with their names, where these are drawn, and a hash of the
-//! model file. A run of the same file continues as if the first one had not ended. A run of another file with the same parts begins there: coordinates and velocities are
-//! those of the state, and loads, drives, switches and stiffnesses those of the file.
+//! The bytes are those of a saved state, behind a label that tells whether it fits: the parts of the mechanism with
+//! their names, where these are drawn, and a hash of the model file. A run of the same file continues as if the first
+//! one had not ended. A run of another file with the same parts begins there: coordinates and velocities are those of
+//! the state, and loads, drives, switches and stiffnesses those of the file.
 
 use super::runner::Runner;
 use super::saved::Snapshot;
@@ -28,8 +29,8 @@ use std::sync::Arc;
 /// First bytes of every file with a state that a run left.
 const MAGIC: Magic = *b"ancf14rs";
 
-/// The keys that say how long a run is and which rows it writes. Another value does not make another model, although equilibria are found row by row, and steps that
-/// the solver chooses depend on the length of the run.
+/// The keys that say how long a run is and which rows it writes. Another value does not make another model, although
+/// equilibria are found row by row, and steps that the solver chooses depend on the length of the run.
 const ROWS: [&str; 2] = ["simulation.stop", "simulation.output_step"];
 
 /// What a state is of.
@@ -43,12 +44,15 @@ struct Label {
     parts: Vec<String>,
     /// Coordinates as drawn, and the origin that they are counted from.
     drawn: Vec<f64>,
-    /// The relative coordinates: of an angle, which continues over turns, what it is between. Of others, which the coordinates give, nothing.
+    /// The relative coordinates: of an angle, which continues over turns, what it is between. Of others, which the
+    /// coordinates give, nothing.
     angles: Vec<String>,
     /// The sensors, whose rotation vectors continue over turns: what they are on, and who looks.
     sensors: Vec<String>,
     /// The names of the switches.
     switches: Vec<String>,
+    /// The names of forces that remember.
+    memories: Vec<String>,
 }
 
 /// A state that a run has left.
@@ -153,6 +157,7 @@ impl Simulation {
                 .map(|sensor| format!("{:?} {:?} {:?}", sensor.marker.bare(), sensor.on_beam, sensor.observer))
                 .collect(),
             switches: system.switches.iter().map(|switch| switch.name.clone()).collect(),
+            memories: system.memories().map(str::to_owned).collect(),
         }
     }
 
@@ -176,7 +181,7 @@ impl Simulation {
         let drawing = self.drawing()?;
         let (own, theirs) = (self.label(&drawing, kept.time()), &kept.label);
         own.check_parts(theirs)?;
-        let lengths = [&theirs.angles, &theirs.sensors, &theirs.switches].map(Vec::len);
+        let lengths = [&theirs.angles, &theirs.sensors, &theirs.switches, &theirs.memories].map(Vec::len);
         if !kept.state.has_the_place_of(&drawing.state, lengths) {
             return Err(String::from(
                 "the lists of the state do not have the lengths that its mechanism needs. Write the state again",
@@ -193,6 +198,7 @@ impl Simulation {
             relative_values: counterparts(&own.angles, &theirs.angles),
             rotations: counterparts(&own.sensors, &theirs.sensors),
             holds: counterparts(&own.switches, &theirs.switches),
+            memory: counterparts(&own.memories, &theirs.memories),
         };
         let coordinates =
             drawing.system.relative_coordinates.iter().zip(&own.angles).zip(&counterparts.relative_values);
@@ -237,7 +243,8 @@ impl Simulation {
 }
 
 impl Runner {
-    /// Begins with the coordinates and velocities of a state of the same parts, and with what acts now. Returns what the user should know of it.
+    /// Begins with the coordinates and velocities of a state of the same parts, and with what acts now. Returns what
+    /// the user should know of it.
     fn begin_at(
         &mut self,
         document: &Document,
@@ -305,7 +312,8 @@ fn joint_of<'a>(document: &'a Document, system: &System, own: &RelativeCoordinat
     joints.find(|(_, parts)| parts.joint.is_some_and(has_sides)).map(|(joint, _)| joint)
 }
 
-/// What an angle is between, and about which axis as drawn. Two angles for which it is the same have the same turns. Nothing of other relative coordinates.
+/// What an angle is between, and about which axis as drawn. Two angles for which it is the same have the same turns.
+/// Nothing of other relative coordinates.
 fn angle(document: &Document, system: &System, own: &RelativeCoordinate) -> String {
     match own.measure {
         Measure::Angle(_) => {
@@ -379,7 +387,8 @@ step = 1e-3
         outcome.err().unwrap_or_default()
     }
 
-    /// A file with the right checksum may have any numbers in it: lists of other lengths and numbers that are not finite are refused, before the run of the same or of another model.
+    /// A file with the right checksum may have any numbers in it: lists of other lengths and numbers that are not
+    /// finite are refused, before the run of the same or of another model.
     #[test]
     fn flawed_states_are_refused() {
         assert_eq!(problem(&begun().keep().unwrap()), "");

@@ -16,7 +16,8 @@ impl Simulation {
         Self::load_in(None, file_name, text, overrides)
     }
 
-    /// Reads and builds a model file as [`Self::load`] does; paths in it are relative to `folder`, without which it includes no other file.
+    /// Reads and builds a model file as [`Self::load`] does; paths in it are relative to `folder`, without which it
+    /// includes no other file.
     ///
     /// # Errors
     /// Everything that is wrong with the file, each with its place.
@@ -50,7 +51,8 @@ impl Simulation {
         Ok(simulation)
     }
 
-    /// Reads and builds the model file of an unpacked FMU, whose `resources` have the state that it begins with. Its host cannot ask for the mesh error: the file does.
+    /// Reads and builds the model file of an unpacked FMU, whose `resources` have the state that it begins with. Its
+    /// host cannot ask for the mesh error: the file does.
     ///
     /// # Errors
     /// Everything that is wrong with the file, each with its place.

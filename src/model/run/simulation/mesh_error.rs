@@ -1,4 +1,5 @@
-//! The error of a run because of the mesh, found at its end: that of equilibria from a finer mesh, that of motions from a run with another mesh.
+//! The error of a run because of the mesh, found at its end: that of equilibria from a finer mesh, that of motions from
+//! a run with another mesh.
 
 use super::Simulation;
 use super::companion::{Beside, Companion, Halt, Lost, Placement};
@@ -22,9 +23,11 @@ pub(super) struct Peak {
 }
 
 impl Simulation {
-    /// Asks for the mesh error of motions: from the next initialization on, a comparison run with another mesh follows this one, where `placement` says, until
-    /// [`crate::fmi::Model::conclude`] compares. Restored states, and parameters that are set on the way, leave the error unknown. That of equilibria needs no such run.
-    /// The answer halts the comparison runs that are asked for by this call.
+    /// Asks for the mesh error of motions: from the next initialization on, a comparison run with another mesh follows
+    /// this one, where `placement` says, until
+    /// [`crate::fmi::Model::conclude`] compares. Restored states, and parameters that are set on the way, leave the
+    /// error unknown. That of equilibria needs no such run. The answer halts the comparison runs that are asked for by
+    /// this call.
     pub fn ask_for_mesh_error(&mut self, placement: Placement) -> Halt {
         let halt = Halt::default();
         self.placement = Some((placement, halt.clone()));
@@ -47,13 +50,15 @@ impl Simulation {
         }
     }
 
-    /// Whether the end of the run is to find the mesh error: that of equilibria always, that of motions where it is asked for.
+    /// Whether the end of the run is to find the mesh error: that of equilibria always, that of motions where it is
+    /// asked for.
     pub fn seeks_mesh_error(&self) -> bool {
         let is_sought = self.document.simulation.analysis == Analysis::Static || self.placement.is_some();
         is_sought && !self.document.beams.is_empty()
     }
 
-    /// How far results are off because of the mesh, a family each, as [`crate::fmi::Model::conclude`] has found; empty where that is not known.
+    /// How far results are off because of the mesh, a family each, as [`crate::fmi::Model::conclude`] has found; empty
+    /// where that is not known.
     pub fn mesh_errors(&self) -> &[Inexact] {
         &self.mesh_errors
     }

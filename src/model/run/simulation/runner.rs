@@ -18,12 +18,13 @@ use std::sync::Arc;
 
 /// How near to a point of the grid of internal steps a communication point must be to be that point, in steps.
 const ON_GRID: f64 = 1e-9;
-/// Most internal steps in one call: beyond, times a step apart are hardly different numbers, and nobody waits for the end.
+/// Most internal steps in one call: beyond, times a step apart are hardly different numbers, and nobody waits for the
+/// end.
 const MOST_STEPS: f64 = 1e9;
 /// Round-off of a time that is one sum, relative: far from 0 it can be more than a share of the internal step.
 const TIME_ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// Round-off that a communication step may have before it takes one internal step more, in steps. A step that is shorter is left to the
-/// next one: it would be all round-off, and velocities are differences of places.
+/// Round-off that a communication step may have before it takes one internal step more, in steps. A step that is
+/// shorter is left to the next one: it would be all round-off, and velocities are differences of places.
 const STEP_ROUNDING: f64 = 1e-6;
 
 /// The system as built, the state it has reached, and the means to go on.
@@ -45,8 +46,8 @@ pub(super) struct Runner {
     pub(super) step: f64,
     /// None: internal steps are given.
     pub(super) pacing: Option<Pacing>,
-    /// The initialization that the system is from; none yet: no solver. Shared with the snapshots taken since, of which a
-    /// solver is scratch memory only.
+    /// The initialization that the system is from; none yet: no solver. Shared with the snapshots taken since, of which
+    /// a solver is scratch memory only.
     pub(super) initialization: Arc<()>,
     pub(super) solver: Solver,
     /// Computes accelerations and multipliers, where results ask for them.
@@ -59,7 +60,8 @@ impl Runner {
         Self::drawn(Arc::new(built.system), built.state, document, start)
     }
 
-    /// The system that `document` draws at `start`, s, if this is one and has not been initialized yet: drawing it anew would give the same.
+    /// The system that `document` draws at `start`, s, if this is one and has not been initialized yet: drawing it anew
+    /// would give the same.
     pub(super) fn if_drawn(&self, document: &Arc<Document>, start: f64) -> Option<Self> {
         let same = Arc::ptr_eq(&self.drawn, document)
             && self.start == start
@@ -132,7 +134,8 @@ impl Runner {
         self.set_motion("the given initial velocities", warnings)
     }
 
-    /// Sets the system in motion where it is, with the nearest velocities to those of the state that joints and drives allow; messages call these `given`.
+    /// Sets the system in motion where it is, with the nearest velocities to those of the state that joints and drives
+    /// allow; messages call these `given`.
     pub(super) fn set_motion(&mut self, given: &str, warnings: &mut Vec<String>) -> Result<(), Error> {
         let Self { system, state, solver, step, pacing, .. } = self;
         let changed = match solver {
@@ -205,7 +208,8 @@ impl Runner {
         Ok((before, response))
     }
 
-    /// The state one internal step after the present one, and its response, with the tunable parameters of now; inputs stay as they are.
+    /// The state one internal step after the present one, and its response, with the tunable parameters of now; inputs
+    /// stay as they are.
     pub(super) fn after_next_part(&mut self, document: &Document) -> Result<(State, Response), Error> {
         let begin = self.state.time;
         let wanted = if self.pacing.is_some() { self.state.pace.wanted } else { 0.0 };
@@ -401,8 +405,8 @@ impl Plan {
     }
 }
 
-/// Takes `state` to the last break before `next`, s, from one to the next, and in parts over pulses in between; breaks within `margin` s of an end count as that end. Returns
-/// whether there is none.
+/// Takes `state` to the last break before `next`, s, from one to the next, and in parts over pulses in between; breaks
+/// within `margin` s of an end count as that end. Returns whether there is none.
 fn march_to_last_break<I: Integrator>(
     integrator: &mut I,
     system: &System,

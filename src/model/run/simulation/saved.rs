@@ -1,6 +1,7 @@
 //! States of a simulation to go back to: a plain copy, and the bytes of one.
 //!
-//! Bytes hold numbers only: the settings of the file, the host's inputs, the state. The system is built from the file again.
+//! Bytes hold numbers only: the settings of the file, the host's inputs, the state. The system is built from the file
+//! again.
 
 use super::Simulation;
 use super::derivatives::{Derived, LastStep};
@@ -112,7 +113,8 @@ impl Snapshot {
         Ok(Saved::read(bytes)?.state.into_owned())
     }
 
-    /// The snapshot that these bytes are of; `document` is the file it is a state of, with any settings, `results` their number.
+    /// The snapshot that these bytes are of; `document` is the file it is a state of, with any settings, `results`
+    /// their number.
     ///
     /// # Errors
     /// They are no state of this file.
@@ -219,7 +221,8 @@ impl Simulation {
         if let Solver::Statics(statics) = &mut runner.solver {
             statics.forget();
         }
-        // The solver has the shape and the tolerance of its initialization, which may be another one, or another instance's.
+        // The solver has the shape and the tolerance of its initialization, which may be another one, or another
+        // instance's.
         if !Arc::ptr_eq(&runner.initialization, &snapshot.initialization) {
             runner.initialization = Arc::clone(&snapshot.initialization);
             runner.solver = match snapshot.initialized {

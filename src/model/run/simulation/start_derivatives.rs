@@ -1,5 +1,5 @@
-//! Derivatives of the start: how the initial values of outputs and calculated parameters change with the inputs and parameters that they
-//! are found from.
+//! Derivatives of the start: how the initial values of outputs and calculated parameters change with the inputs and
+//! parameters that they are found from.
 //!
 //! The initial state is found again with a value that differs a little: whatever the start is, a drawing or an
 //! equilibrium, its derivative is a difference. The change moves the system by about [`REACH`] of its size, where it
@@ -12,15 +12,16 @@ use crate::fmi::{Failure, Model, Value};
 
 /// First change of a value, relative; of 0 the change itself, of a place over the system's size.
 const TRIAL: f64 = 1e-6;
-/// How far the system shall move, over its size: what a central difference of fourth order leaves out is then round-off, and what the
-/// solver leaves of an equilibrium is small beside it.
+/// How far the system shall move, over its size: what a central difference of fourth order leaves out is then
+/// round-off, and what the solver leaves of an equilibrium is small beside it.
 const REACH: f64 = 1e-4;
 /// The change is at most so many times the trial: a thousandth of a value.
 const LARGEST: f64 = 1e3;
 /// The change is at least this part of the trial: beyond, round-off is all there is.
 const SMALLEST: f64 = 1e-5;
 
-/// Offsets and weights of differences: central of fourth order, and, at the ends of a range, forward and backward of second order.
+/// Offsets and weights of differences: central of fourth order, and, at the ends of a range, forward and backward of
+/// second order.
 const STENCILS: [&[(f64, f64)]; 3] = [
     &[(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)],
     &[(0.0, -1.5), (1.0, 2.0), (2.0, -0.5)],

@@ -1,6 +1,8 @@
-//! A communication step: all at once, or part by part, an internal step each, for a host that looks in between and may end it there.
+//! A communication step: all at once, or part by part, an internal step each, for a host that looks in between and may
+//! end it there.
 //!
-//! Both ways take the same internal steps, and a failure on the way brings the state back to where the communication step began.
+//! Both ways take the same internal steps, and a failure on the way brings the state back to where the communication
+//! step began.
 
 use super::derivatives::Derived;
 use super::runner::Plan;
@@ -67,7 +69,8 @@ impl Simulation {
         self.arrive(outcome, end, self.runner.state.time)
     }
 
-    /// Keeps the state, and aims at what the host gives for the step to `end`, s; false where nothing moves: the step is too short.
+    /// Keeps the state, and aims at what the host gives for the step to `end`, s; false where nothing moves: the step
+    /// is too short.
     fn depart(&mut self, end: f64) -> Result<bool, Failure> {
         if end - self.runner.state.time < self.shortest_step() {
             // The last step is what it was.

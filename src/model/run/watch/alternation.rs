@@ -1,6 +1,8 @@
-//! Whether forces or accelerations alternate from step to step: that is how an integrator shows a vibration which is far too fast for its steps, and no physics.
+//! Whether forces or accelerations alternate from step to step: that is how an integrator shows a vibration which is
+//! far too fast for its steps, and no physics.
 //!
-//! It can be seen where a host, or a row of results, asks for every single step: what a vibration looks like at every fifth step says nothing.
+//! It can be seen where a host, or a row of results, asks for every single step: what a vibration looks like at every
+//! fifth step says nothing.
 
 use crate::error::decimal;
 use crate::mechanics::state::State;
@@ -10,16 +12,19 @@ use crate::model::run::scale::Beams;
 use crate::model::variables::Table;
 use serde::{Deserialize, Serialize};
 
-/// Share of the largest value by which a result must alternate: less does not matter, section forces and reactions are not known better.
+/// Share of the largest value by which a result must alternate: less does not matter, section forces and reactions are
+/// not known better.
 const SHARE: f64 = 0.05;
-/// So many steps in a row. Vibrations that a step just resolves, with three steps a period or more, turn the other way within some.
+/// So many steps in a row. Vibrations that a step just resolves, with three steps a period or more, turn the other way
+/// within some.
 const STEPS: u32 = 10;
 /// A result is compared with this share of the largest of its unit at least: what is far smaller does not matter.
 const SMALL: f64 = 0.1;
-/// The same of what other forces, the energy, the size and the mass of the system make of that unit: below it is their round-off.
+/// The same of what other forces, the energy, the size and the mass of the system make of that unit: below it is their
+/// round-off.
 const ROUND_OFF: f64 = 1e-6;
-/// Communication points after which results that have alternated are judged, if the run does not end before: what alternates at a start, when all values are small, does
-/// not matter once they have grown.
+/// Communication points after which results that have alternated are judged, if the run does not end before: what
+/// alternates at a start, when all values are small, does not matter once they have grown.
 const LASTING: u32 = 200;
 
 /// What has been seen of forces and accelerations.
@@ -67,7 +72,8 @@ struct Track {
 }
 
 impl Track {
-    /// Takes a new value, `points` steps in a row behind the first, and counts it where it alternates by more than `bound`.
+    /// Takes a new value, `points` steps in a row behind the first, and counts it where it alternates by more than
+    /// `bound`.
     fn add(&mut self, value: f64, points: u32, bound: f64) {
         let [last, before] = self.values;
         let amplitude = if points >= 2 { 0.25 * (value - 2.0 * last + before) } else { 0.0 };
@@ -138,7 +144,8 @@ impl AlternationWatch {
         if suspect.points >= LASTING { self.judge(system, table, beams) } else { None }
     }
 
-    /// Judges what has alternated by the largest values that the run has come to; arguments are those of [`Self::look`].
+    /// Judges what has alternated by the largest values that the run has come to; arguments are those of
+    /// [`Self::look`].
     pub fn judge(&mut self, system: &System, table: &Table, beams: &Beams) -> Option<String> {
         let Suspect { number, amplitude, time, .. } = self.suspect.take()?;
         let least = self.least(system, beams);

@@ -8,7 +8,8 @@ use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::entries::simulation::Analysis;
 use serde::{Deserialize, Serialize};
 
-/// In dynamics one communication point of so many is looked at, and so many in a row must show a coarse end: a blow pulls for a moment only.
+/// In dynamics one communication point of so many is looked at, and so many in a row must show a coarse end: a blow
+/// pulls for a moment only.
 const STRIDE: u64 = 4;
 const SIGHTINGS: u32 = 3;
 /// More elements than this are not recommended: a short beam at the end costs less.

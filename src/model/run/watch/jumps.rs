@@ -1,4 +1,5 @@
-//! Whether axial forces, and what is read from them, are asked for beside a node where the axial force jumps (axial_jump.rs).
+//! Whether axial forces, and what is read from them, are asked for beside a node where the axial force jumps
+//! (axial_jump.rs).
 
 use crate::error::decimal;
 use crate::mechanics::marker::configuration::Configuration;
@@ -12,7 +13,8 @@ use serde::{Deserialize, Serialize};
 
 /// A jump below this share of what is read does not matter: the part of it that is read is less than half.
 const NOTABLE: f64 = 0.15;
-/// What is read is compared with this share of the forces that the beam carries there at least: what is far smaller does not matter.
+/// What is read is compared with this share of the forces that the beam carries there at least: what is far smaller
+/// does not matter.
 const SMALL: f64 = 0.1;
 /// Looks after which a jump is judged, if the run does not end before: at a start all forces are small.
 const LASTING: u32 = 200;

@@ -1,4 +1,5 @@
-//! Whether a mesh is too coarse for what the system does: the energy that its elements leave out, and section forces and moments that are off where they are read.
+//! Whether a mesh is too coarse for what the system does: the energy that its elements leave out, and section forces
+//! and moments that are off where they are read.
 
 use crate::error::decimal;
 use crate::mechanics::marker::configuration::Configuration;
@@ -15,30 +16,37 @@ use crate::model::run::scale::Beams;
 use crate::model::variables::Table;
 use serde::{Deserialize, Serialize};
 
-/// Energy that a mesh may leave out in dynamics, of the largest energy: under loads displacements are off by as much, and 1 % is called right.
+/// Energy that a mesh may leave out in dynamics, of the largest energy: under loads displacements are off by as much,
+/// and 1 % is called right.
 const LEFT_OUT: f64 = 0.01;
-/// The same in equilibrium, where no passing wave adds to it: energies are off by up to twice the share of displacements.
+/// The same in equilibrium, where no passing wave adds to it: energies are off by up to twice the share of
+/// displacements.
 const LEFT_OUT_AT_REST: f64 = 0.005;
-/// By how much section forces and moments may be off where they are read, of their largest value: they converge more slowly than displacements.
+/// By how much section forces and moments may be off where they are read, of their largest value: they converge more
+/// slowly than displacements.
 const OFF: f64 = 0.05;
-/// The same for axial forces in equilibrium: the estimate from means is of a higher order than the force that is read, and no wave adds to the difference.
+/// The same for axial forces in equilibrium: the estimate from means is of a higher order than the force that is read,
+/// and no wave adds to the difference.
 const AXIAL_OFF_AT_REST: f64 = 0.02;
 /// Energy left out, and error of a section's force, that the mesh that is recommended should have.
 const WANTED: [f64; 2] = [1e-3, 0.01];
-/// Largest refinement that is recommended at a time: an estimate from a mesh that resolves nothing says little about a much finer one.
+/// Largest refinement that is recommended at a time: an estimate from a mesh that resolves nothing says little about a
+/// much finer one.
 const LARGEST_REFINEMENT: f64 = 8.0;
 
-/// A force or moment is compared with this share of the largest one of its system at least: what is far smaller does not matter.
+/// A force or moment is compared with this share of the largest one of its system at least: what is far smaller does
+/// not matter.
 const SMALL: f64 = 0.1;
-/// The same for a moment, of the largest axial force times the size of the system, below which it is the round-off of that force.
+/// The same for a moment, of the largest axial force times the size of the system, below which it is the round-off of
+/// that force.
 const ROUND_OFF: f64 = 1e-6;
 
 /// In dynamics one communication point of so many is looked at, which makes the look cheap beside the steps,
 const STRIDE: u64 = 4;
 /// and so many must show it: a sudden load bends the nearest element first, until the wave is as long as some.
 const SIGHTINGS: u32 = 3;
-/// Looks after which a mesh that may be too coarse is judged, if the run does not end before: what elements leave out of the little energy at a start does not matter once
-/// the mechanism has more.
+/// Looks after which a mesh that may be too coarse is judged, if the run does not end before: what elements leave out
+/// of the little energy at a start does not matter once the mechanism has more.
 const LASTING: u32 = 200;
 
 /// What has been seen of the mesh.
@@ -64,7 +72,8 @@ pub struct MeshWatch {
     /// Strain energy of the last state that was looked at, J; not saved with the others.
     #[serde(skip)]
     pub strain_energy: f64,
-    /// The largest energy that the elements left out so far, J, and the deformation that most of it was of; not saved with the others.
+    /// The largest energy that the elements left out so far, J, and the deformation that most of it was of; not saved
+    /// with the others.
     #[serde(skip)]
     pub most_left_out: (f64, Option<Deformation>),
 }
@@ -103,14 +112,16 @@ struct Reading {
 /// A force or moment at a section, N or N m.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Section {
-    /// The axial force, or the largest component of the moment, whichever is read: what is small compared with the others does little.
+    /// The axial force, or the largest component of the moment, whichever is read: what is small compared with the
+    /// others does little.
     size: f64,
     /// By how much what is read is off.
     off: f64,
 }
 
 impl Sightings {
-    /// Whether `error` has been beyond `bound` of `scale` often enough. What was seen when the scale was half as large does not count: it was the beginning.
+    /// Whether `error` has been beyond `bound` of `scale` often enough. What was seen when the scale was half as large
+    /// does not count: it was the beginning.
     fn add(&mut self, error: f64, scale: f64, bound: f64, enough: u32) -> bool {
         if scale > 2.0 * self.scale {
             *self = Self { scale, count: 0 };
@@ -264,7 +275,8 @@ impl MeshWatch {
         ))
     }
 
-    /// What a quantity is compared with at least, N or N m, and the share of it, or of its largest value, by which it may be off.
+    /// What a quantity is compared with at least, N or N m, and the share of it, or of its largest value, by which it
+    /// may be off.
     fn measure_of(&self, quantity: Quantity, system: &System) -> (f64, f64) {
         let (moment, force, relieved) = (self.largest_moment, self.largest_force, &self.beams.relieved);
         let is_force = matches!(quantity, Quantity::SectionForce | Quantity::AxialStrain);

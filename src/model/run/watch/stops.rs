@@ -7,7 +7,8 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use serde::{Deserialize, Serialize};
 
-/// A penetration beyond this is a motion of its own: of an angle, rad, and of a distance as a share of the mechanism's size. A longer way between both limits is compared with instead.
+/// A penetration beyond this is a motion of its own: of an angle, rad, and of a distance as a share of the mechanism's
+/// size. A longer way between both limits is compared with instead.
 const DEEP_ANGLE: f64 = 0.5;
 const DEEP_SHARE: f64 = 0.25;
 

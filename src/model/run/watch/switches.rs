@@ -6,11 +6,12 @@ use crate::mechanics::input::switch::{Switch, SwitchGuide};
 use crate::mechanics::system::System;
 use crate::model::validate::notes::listed;
 
-/// Instants of a run at which a switch is looked at, besides those at which it is known to change: a host may run beyond the end of the file.
+/// Instants of a run at which a switch is looked at, besides those at which it is known to change: a host may run
+/// beyond the end of the file.
 const INSTANTS: u32 = 1000;
 
-/// What a run over `span`, s, has not shown of the switches: those that never engage, and those that never release. A host's are its own business, and numbers
-/// are meant.
+/// What a run over `span`, s, has not shown of the switches: those that never engage, and those that never release. A
+/// host's are its own business, and numbers are meant.
 pub fn idle(system: &System, span: [f64; 2]) -> Vec<String> {
     let [begin, end] = span;
     if end <= begin {

@@ -10,7 +10,8 @@ use crate::model::file::entries::joint::Coordinate;
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::file::number::Number;
 
-/// Angles of a half or a full turn and their usual parts, in degrees. As radians, each is several turns and no special position.
+/// Angles of a half or a full turn and their usual parts, in degrees. As radians, each is several turns and no special
+/// position.
 const DEGREES: [f64; 9] = [30.0, 45.0, 60.0, 90.0, 120.0, 135.0, 180.0, 270.0, 360.0];
 /// Rates in degrees per second, of a motion that is uniform. 30, 60 and 120 rad/s are usual speeds of shafts.
 const DEGREES_PER_SECOND: [f64; 5] = [45.0, 90.0, 180.0, 270.0, 360.0];
@@ -49,8 +50,8 @@ fn turning_parts(document: &Document) -> Vec<(Number, Turn)> {
     drives.chain(frames.flatten().map(|number| (number, Turn::Angle))).collect()
 }
 
-/// Tells a motion that comes to rest, or in statics ends, at an angle that is one in degrees, or that reaches it at a rate that is one in degrees per second.
-/// A shaft that turns on otherwise may stop anywhere.
+/// Tells a motion that comes to rest, or in statics ends, at an angle that is one in degrees, or that reaches it at a
+/// rate that is one in degrees per second. A shaft that turns on otherwise may stop anywhere.
 fn reached(document: &Document, number: Number, turn: Turn) -> Option<Note> {
     let stop = document.value(document.simulation.stop);
     let is_static = document.simulation.analysis == Analysis::Static;

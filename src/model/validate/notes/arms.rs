@@ -8,10 +8,11 @@ use crate::model::file::entries::joint::{JointKind, JointSpec};
 use crate::model::file::reader::anchor::{Along, Anchor, Spot};
 use crate::model::shape::{Lines, shown};
 
-/// Distance over the size of the mechanism from which places do not meet: positions that are written with six digits do.
+/// Distance over the size of the mechanism from which places do not meet: positions that are written with six digits
+/// do.
 const APART: f64 = 1e-6;
-/// Distance from the center of mass, over the largest radius of gyration, within which a joint is on its body: the tip of a slender cone, the farthest point of a
-/// common solid, is at 3.9.
+/// Distance from the center of mass, over the largest radius of gyration, within which a joint is on its body: the tip
+/// of a slender cone, the farthest point of a common solid, is at 3.9.
 const ON_BODY: f64 = 4.0;
 
 /// Names joints without `at` whose sides are apart.

@@ -61,7 +61,8 @@ pub fn signals(document: &Document) -> Vec<Number> {
     loads.chain(actuators).chain(drives).chain(frames).collect()
 }
 
-/// The shortest period below `STEPS_PER_PERIOD` steps of length `step` with which a function oscillates up to `stop`, s, by `most` samples. Where pieces meet, steps end: a swing across such an instant is resolved.
+/// The shortest period below `STEPS_PER_PERIOD` steps of length `step` with which a function oscillates up to `stop`,
+/// s, by `most` samples. Where pieces meet, steps end: a swing across such an instant is resolved.
 fn shortest_period(function: &Function, [step, stop]: [f64; 2], most: u32) -> Option<f64> {
     let count = (PER_STEP * stop / step).ceil().min(f64::from(most)) as u32;
     let time = |k: u32| (f64::from(k) + 0.5 * (f64::from(k) * GOLDEN).fract()) * step / PER_STEP;

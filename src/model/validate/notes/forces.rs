@@ -1,4 +1,5 @@
-//! Forces that do not do what their author meant: laws of springs that push away from rest, stops that push from the start.
+//! Forces that do not do what their author meant: laws of springs that push away from rest, stops that push from the
+//! start.
 
 use super::Note;
 use crate::model::file::document::Document;

@@ -1,4 +1,5 @@
-//! Motions that jump inside an expression: `step`, `if`, `floor`, a comparison. Jumps between pieces are told where the run begins.
+//! Motions that jump inside an expression: `step`, `if`, `floor`, a comparison. Jumps between pieces are told where the
+//! run begins.
 
 use super::Note;
 use crate::math::range::Range;

@@ -6,7 +6,8 @@ use crate::model::file::entries::material::{Lateral, MaterialSpec};
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::shape::shown;
 
-/// Young's modulus below which a number is in MPa or GPa, Pa: of all that beams are made of, only rubber and foam are softer.
+/// Young's modulus below which a number is in MPa or GPa, Pa: of all that beams are made of, only rubber and foam are
+/// softer.
 const SOFTEST: f64 = 1e7;
 /// The same for rubber, Pa: silicone has 5e5 Pa, gels have less.
 const SOFTEST_RUBBER: f64 = 1e5;
@@ -62,7 +63,8 @@ fn softest(document: &Document, material: &MaterialSpec) -> f64 {
     if poisson >= RUBBER { SOFTEST_RUBBER } else { SOFTEST }
 }
 
-/// What to write if `value` was meant in one of `units`, each with its size: the first one in which a material has it; else `otherwise`.
+/// What to write if `value` was meant in one of `units`, each with its size: the first one in which a material has it;
+/// else `otherwise`.
 fn remedy(value: f64, units: &[(f64, &str)], least: f64, most: f64, otherwise: &str) -> String {
     let fits = |size: f64| (least..=most).contains(&(value * size));
     units.iter().find(|(size, _)| fits(*size)).map_or_else(

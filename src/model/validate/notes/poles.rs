@@ -16,7 +16,8 @@ const PEAK: f64 = 5.0;
 /// Halvings of the neighborhood of a peak, and those of its second half.
 const HALVINGS: usize = 40;
 const LAST_HALVINGS: usize = 20;
-/// Growth over the second half of the search: a simple pole grows by 2^20, the inverse of a root by 2^10, which a step may pass.
+/// Growth over the second half of the search: a simple pole grows by 2^20, the inverse of a root by 2^10, which a step
+/// may pass.
 const UNBOUNDED: f64 = 1e4;
 
 /// Names loads and actuators with a pole.

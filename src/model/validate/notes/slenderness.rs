@@ -10,11 +10,12 @@ use crate::model::file::entries::joint::JointKind;
 use crate::model::file::reader::anchor::Spot;
 use crate::model::shape::{Lines, sections, shown};
 
-/// Length over section size below which shear matters: of a cantilever with a square section it is 3 % of the deflection.
+/// Length over section size below which shear matters: of a cantilever with a square section it is 3 % of the
+/// deflection.
 const STUBBY: f64 = 5.0;
 
-/// A stub matters if it gives way at least this share as far as the beam of the mechanism that gives way most, under the same force: a crank between slender beams
-/// does not, nor does a leaf spring in its plane.
+/// A stub matters if it gives way at least this share as far as the beam of the mechanism that gives way most, under
+/// the same force: a crank between slender beams does not, nor does a leaf spring in its plane.
 const NOTABLE: f64 = 0.05;
 
 /// A section in one direction of bending.
@@ -26,7 +27,8 @@ struct Bending {
     moment: f64,
 }
 
-/// Names beams that are short for their section. Beams that welds join count as one: a tapered beam is made of such pieces.
+/// Names beams that are short for their section. Beams that welds join count as one: a tapered beam is made of such
+/// pieces.
 pub fn stubby_beams(document: &Document, lines: &Lines) -> Vec<Note> {
     let beam_of = |spot: Spot| if let Spot::Beam { beam, .. } = spot { Some(beam) } else { None };
     let welds = document.joints.iter().filter(|joint| joint.kind == JointKind::Weld);
@@ -70,8 +72,8 @@ pub fn stubby_beams(document: &Document, lines: &Lines) -> Vec<Note> {
     vec![Note { place: *place, text }]
 }
 
-/// A section in both directions, the stiffer one first. A general one is the rectangle with its area and second moments; one that varies is looked at where it
-/// begins.
+/// A section in both directions, the stiffer one first. A general one is the rectangle with its area and second
+/// moments; one that varies is looked at where it begins.
 fn bendings(section: &Section) -> [Bending; 2] {
     let sizes = section.outline.size();
     let mut both = [(1, section.second_moment_y), (0, section.second_moment_z)].map(|(axis, moment)| {

@@ -9,7 +9,8 @@ use crate::model::file::entries::winch::WinchSpec;
 use crate::model::file::number::Number;
 use crate::model::shape::{Lines, sections, shown};
 
-/// Strain of the wave that a jump of velocity sends through a beam, its velocity over that of sound, from which it matters: 60 MPa in steel.
+/// Strain of the wave that a jump of velocity sends through a beam, its velocity over that of sound, from which it
+/// matters: 60 MPa in steel.
 const NOTABLE: f64 = 3e-4;
 
 /// Names drives that begin at a rate that sends notable waves through beams at rest.

@@ -1,12 +1,14 @@
-//! The constrained midpoint integrator in position-momentum form (MECHANICS 7.1), with elastic forces that work as much as the energy changes (7.6).
+//! The constrained midpoint integrator in position-momentum form (MECHANICS 7.1), with elastic forces that work as much
+//! as the energy changes (7.6).
 //!
 //! A step from `q_k, P_k` solves `P_k − M Dq/h − h/2 f(qm) + C = 0` and `g(q_{k+1}) = 0`, `f = dU/dq − F + Gᵀ λ`,
-//! `qm = q_k + Dq/2`, for `Dq` and `Λ = h λ/2`. Momentum and references then move on to the new charts (gyroscopic.rs), and what
-//! would alternate is taken out of the momentum.
+//! `qm = q_k + Dq/2`, for `Dq` and `Λ = h λ/2`. Momentum and references then move on to the new charts (gyroscopic.rs),
+//! and what would alternate is taken out of the momentum.
 //!
-//! Constraint forces act in the middle of the step like all others. MECHANICS 7.1 has `h G(q_k)ᵀ λ` instead, which treats the
-//! stiffness that multipliers give a joint as an explicit method would: it is stable only for `h² λ·g_qq/M < 4`. A hinge that transmits
-//! 10 N m to a node of 1e-7 kg m² (a four-bar linkage with a tilted hinge) breaks that: seen at 1, 2 and 4 ms, not at 0.2 ms.
+//! Constraint forces act in the middle of the step like all others. MECHANICS 7.1 has `h G(q_k)ᵀ λ` instead, which
+//! treats the stiffness that multipliers give a joint as an explicit method would: it is stable only for
+//! `h² λ·g_qq/M < 4`. A hinge that transmits 10 N m to a node of 1e-7 kg m² (a four-bar linkage with a tilted hinge)
+//! breaks that: seen at 1, 2 and 4 ms, not at 0.2 ms.
 
 mod scratch;
 mod solution;
@@ -37,7 +39,8 @@ use crate::solve::step::projection::Projection;
 use crate::solve::step::spare::Spare;
 use crate::solve::step::switching;
 
-/// Smallest spectral radius: below it the other two factors by which a strain far too fast for the step may change, 0.58 and more, are larger.
+/// Smallest spectral radius: below it the other two factors by which a strain far too fast for the step may change,
+/// 0.58 and more, are larger.
 pub const SMALLEST_RADIUS: f64 = 0.6;
 
 /// Integrator and its scratch memory; nothing in it outlives a step.
@@ -55,13 +58,15 @@ pub struct Midpoint {
     scratch: Scratch,
     /// None: the system has elements whose steps it does not know.
     estimator: Option<Estimator>,
-    /// The motion at the end of the step in the making; empty before the first step. The prediction and the error of the steps are in the state alone: a rejected step does not change them.
+    /// The motion at the end of the step in the making; empty before the first step. The prediction and the error of
+    /// the steps are in the state alone: a rejected step does not change them.
     next: State,
 }
 
 impl Midpoint {
-    /// For `system`; the amplitude of a strain far too fast for the step is multiplied by `spectral_radius` (0.6 to 1) a step, by 1 none is ever lost.
-    /// `largest_step` is the length of the steps but for those that end earlier, s; Newton may leave `tolerance` of a step.
+    /// For `system`; the amplitude of a strain far too fast for the step is multiplied by `spectral_radius` (0.6 to 1)
+    /// a step, by 1 none is ever lost. `largest_step` is the length of the steps but for those that end earlier, s;
+    /// Newton may leave `tolerance` of a step.
     pub fn new(system: &System, spectral_radius: f64, largest_step: f64, tolerance: f64) -> Self {
         assert!((SMALLEST_RADIUS..=1.0).contains(&spectral_radius), "a spectral radius of {spectral_radius}");
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
@@ -226,8 +231,9 @@ impl Midpoint {
         Ok(())
     }
 
-    /// Carries the error of the start of the converged step, whose lists are made if there are none yet, to its end, with the tangent of its last iteration; the velocities of
-    /// `next` are scratch memory. [`Self::set_error`] has the result.
+    /// Carries the error of the start of the converged step, whose lists are made if there are none yet, to its end,
+    /// with the tangent of its last iteration; the velocities of `next` are scratch memory. [`Self::set_error`] has the
+    /// result.
     fn carry_error(
         &mut self,
         system: &System,
@@ -243,21 +249,24 @@ impl Midpoint {
             let taken = Taken { state, dissipation, span, solution, strain_rates };
             estimator.carry(system, kkt, &taken, [velocity, right]);
         });
-        // The neighboring motion has overwritten them. A second set of frames would take more memory than this takes time.
+        // The neighboring motion has overwritten them. A second set of frames would take more memory than this takes
+        // time.
         scratch.frames_end.set(system, &next.q, &state.triads);
     }
 
-    /// Sets the error at the end of a step, `next`, from that of its start as [`Self::carry_error`] has carried it, and projects its velocities as those of the motion have been.
+    /// Sets the error at the end of a step, `next`, from that of its start as [`Self::carry_error`] has carried it, and
+    /// projects its velocities as those of the motion have been.
     fn set_error(&mut self, system: &System, next: &mut State) {
         let Self { estimator: Some(estimator), projection, kkt, scratch, right, .. } = self else { return };
         estimator.arrive(system, scratch, &mut next.time_error, right);
         estimator.project(system, kkt, projection, (&mut scratch.frames_middle, right), next);
     }
 
-    /// Takes out of the momentum at the end of a step what would alternate for ever. The midpoint rule turns the part that the
-    /// constraints do not allow, `ν`, into `c − ν`, with a smooth `c` of second order in the step: its rest is `c/2`, the mean of one `ν`
-    /// and the next. Taking that mean, a jump of a drive is gone after a step, and smooth motions keep their energy (taking all of
-    /// `ν` away would cost some of it at every step). Linear and angular momentum do not change. Returns the kinetic energy, J.
+    /// Takes out of the momentum at the end of a step what would alternate for ever. The midpoint rule turns the part
+    /// that the constraints do not allow, `ν`, into `c − ν`, with a smooth `c` of second order in the step: its rest is
+    /// `c/2`, the mean of one `ν` and the next. Taking that mean, a jump of a drive is gone after a step, and smooth
+    /// motions keep their energy (taking all of `ν` away would cost some of it at every step). Linear and angular
+    /// momentum do not change. Returns the kinetic energy, J.
     fn steady(&self, system: &System, state: &mut State) -> f64 {
         let (gradients, constraint_momenta) = self.projection.constraint_momenta(system);
         let Lists { momentum, velocity, constraint_momenta: own_momenta, .. } = &mut state.lists;
@@ -298,7 +307,8 @@ impl<'a> Step<'a> {
         Step { system, start: state.into(), dissipation, step: span.step, scratch }
     }
 
-    /// Minus the residual at the current unknowns, whose forces, positions and gradients are known, into `right`; conditions at the end.
+    /// Minus the residual at the current unknowns, whose forces, positions and gradients are known, into `right`;
+    /// conditions at the end.
     fn balance(&mut self, right: &mut [f64]) {
         let (system, state, h) = (self.system, self.start.state, self.step);
         let scratch = &mut *self.scratch;

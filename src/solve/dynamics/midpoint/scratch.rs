@@ -1,4 +1,5 @@
-//! What a constrained midpoint step computes on the way: positions, frames, forces and gradients at its start, in its middle and at its end.
+//! What a constrained midpoint step computes on the way: positions, frames, forces and gradients at its start, in its
+//! middle and at its end.
 
 use crate::error::Error;
 use crate::mechanics::beam::configuration::Dissipation;
@@ -86,7 +87,8 @@ impl Scratch {
         own
     }
 
-    /// Exchanges the memory that a finished step no longer needs with that of `other`. `other` reads the predicted rates and overwrites the rest.
+    /// Exchanges the memory that a finished step no longer needs with that of `other`. `other` reads the predicted
+    /// rates and overwrites the rest.
     /// [`super::time_error::Estimator::borrow_from`] gives it back.
     pub fn exchange(&mut self, other: &mut Self) {
         std::mem::swap(&mut self.q_middle, &mut other.q_middle);
@@ -208,7 +210,8 @@ impl Scratch {
         system.whole_energy(&end, &next.velocity)
     }
 
-    /// Kinetic energy of the beams that winches pay out, beyond that of the mesh, at the start of the step from `state` and at its end, `next`, J.
+    /// Kinetic energy of the beams that winches pay out, beyond that of the mesh, at the start of the step from `state`
+    /// and at its end, `next`, J.
     pub fn transport_energies(&mut self, system: &System, state: &State, next: &State) -> [f64; 2] {
         if system.winches.is_empty() {
             return [0.0; 2];
@@ -231,8 +234,8 @@ impl Scratch {
         system.check(&configuration, state, limits::LARGEST_TURN, end)
     }
 
-    /// Sets the forces of the step from `state` at the current positions, without those of the joints, their gradients, and the rates of strains over the step in
-    /// `next`. Returns what the step does to the energies.
+    /// Sets the forces of the step from `state` at the current positions, without those of the joints, their gradients,
+    /// and the rates of strains over the step in `next`. Returns what the step does to the energies.
     pub fn evaluate(
         &mut self,
         system: &System,
@@ -261,11 +264,12 @@ impl Scratch {
         found
     }
 
-    /// Writes the end of the converged step, whose forces are known, into `state`, a copy of the state at its start: momentum (7.4), change of charts (7.5), references
-    /// (2.6). Returns the work of drives and moving frames over the step, J.
+    /// Writes the end of the converged step, whose forces are known, into `state`, a copy of the state at its start:
+    /// momentum (7.4), change of charts (7.5), references (2.6). Returns the work of drives and moving frames over the
+    /// step, J.
     pub fn finish(&mut self, system: &System, state: &mut State, Span { step, end }: Span) -> f64 {
-        // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays out of it, and so does h²K/M times what
-        // Newton leaves.
+        // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays
+        // out of it, and so does h²K/M times what Newton leaves.
         for (momentum, mass_increment) in state.momentum.iter_mut().zip(&self.mass_increment) {
             *momentum = 2.0 * mass_increment / step - *momentum;
         }

@@ -1,4 +1,5 @@
-//! How the equations of a step are solved: by Newton's iteration, and refinements with the matrix of its last iteration (MECHANICS 7.6).
+//! How the equations of a step are solved: by Newton's iteration, and refinements with the matrix of its last iteration
+//! (MECHANICS 7.6).
 
 use super::{Midpoint, Step};
 use crate::error::Error;
@@ -14,15 +15,16 @@ use crate::solve::step::linearized::Span;
 
 /// What Newton may leave of a step before it is refined, as a share of the tolerance.
 const REMAINDER: f64 = 0.3;
-/// The same as a share of the tolerance times the first correction, which is of the size of the step's own error: with the default tolerance a
-/// hundred-thousandth of that.
+/// The same as a share of the tolerance times the first correction, which is of the size of the step's own error: with
+/// the default tolerance a hundred-thousandth of that.
 const REMAINDER_OF_FIRST: f64 = 1e3;
-/// With how many matrices a step is tried. The refinements of the last one need not shrink: what several matrices leave alike is round-off.
+/// With how many matrices a step is tried. The refinements of the last one need not shrink: what several matrices leave
+/// alike is round-off.
 const MOST_MATRICES: usize = 4;
 
 impl Midpoint {
-    /// Solves for the step over `span` from `state`, and refines the solution. Counts iterations, and sets the rates of strains, in `next`. Returns how the iteration went, and
-    /// what the step does to the energies.
+    /// Solves for the step over `span` from `state`, and refines the solution. Counts iterations, and sets the rates of
+    /// strains, in `next`. Returns how the iteration went, and what the step does to the energies.
     ///
     /// # Errors
     /// Newton does not converge, or the elements cannot bear the end.
@@ -75,7 +77,8 @@ impl Midpoint {
         ))
     }
 
-    /// Refines what an iteration has found, and holds the refinements to `promise`. `is_known`: how corrections shrink was known before. Returns what the step does to the energies.
+    /// Refines what an iteration has found, and holds the refinements to `promise`. `is_known`: how corrections shrink
+    /// was known before. Returns what the step does to the energies.
     ///
     /// # Errors
     /// A refinement of this size is larger than promised: it is not made, and another iteration has to follow.
@@ -114,8 +117,9 @@ impl Midpoint {
         }
     }
 
-    /// Solves for one more correction of the converged step, into `self.right`, with the tangent of the last iteration and the residual that its forces leave: what remains after it is smaller by another
-    /// ratio of corrections, and joints hold to round-off. Far less work than an iteration. Returns the size of that correction.
+    /// Solves for one more correction of the converged step, into `self.right`, with the tangent of the last iteration
+    /// and the residual that its forces leave: what remains after it is smaller by another ratio of corrections, and
+    /// joints hold to round-off. Far less work than an iteration. Returns the size of that correction.
     fn find_refinement(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) -> f64 {
         let mut problem = Step { system, start: state.into(), dissipation, step, scratch: &mut self.scratch };
         problem.balance(&mut self.right);

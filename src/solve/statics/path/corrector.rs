@@ -1,7 +1,8 @@
-//! The equilibrium in the plane across the tangent of a path, as Newton sees it: the parameter is one unknown more, the plane one equation more.
+//! The equilibrium in the plane across the tangent of a path, as Newton sees it: the parameter is one unknown more, the
+//! plane one equation more.
 //!
-//! Their row and column border the matrix: `[K −b; τᵀ] [x; p] = [r; 0]`, where `b` is the derivative of the balance by the parameter. Both parts of
-//! `x = K⁻¹ r + p K⁻¹ b` come from one factorization.
+//! Their row and column border the matrix: `[K −b; τᵀ] [x; p] = [r; 0]`, where `b` is the derivative of the balance by
+//! the parameter. Both parts of `x = K⁻¹ r + p K⁻¹ b` come from one factorization.
 
 use super::super::Scratch;
 use super::super::equilibrium::{Equilibrium, Tangent, undefined_law};
@@ -16,7 +17,8 @@ use crate::mechanics::system::System;
 use crate::solve::newton::Problem;
 use crate::solve::newton::kkt::Kkt;
 
-/// Change of the parameter for the derivative by it, over 1 or its size: what the central difference leaves out is 1e-8 of its third derivative.
+/// Change of the parameter for the derivative by it, over 1 or its size: what the central difference leaves out is 1e-8
+/// of its third derivative.
 const REACH: f64 = 1e-4;
 
 /// The border of the matrix; scratch memory.

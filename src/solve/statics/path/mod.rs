@@ -1,8 +1,9 @@
-//! Equilibria along a path, by its arc length: the parameter of loads, drives, frames and temperatures is an unknown as the coordinates are, so that the path
-//! goes on past limit points, where no equilibrium is near under a larger load (MECHANICS 7.11).
+//! Equilibria along a path, by its arc length: the parameter of loads, drives, frames and temperatures is an unknown as
+//! the coordinates are, so that the path goes on past limit points, where no equilibrium is near under a larger load
+//! (MECHANICS 7.11).
 //!
-//! A step goes along the tangent of the path, then by Newton within the plane across it. Where the determinant of the equations changes its sign, it has passed a
-//! limit point or a point where another path crosses (singular.rs).
+//! A step goes along the tangent of the path, then by Newton within the plane across it. Where the determinant of the
+//! equations changes its sign, it has passed a limit point or a point where another path crosses (singular.rs).
 
 mod corrector;
 mod singular;
@@ -21,7 +22,8 @@ const LEAST_COSINE: f64 = 0.9;
 /// Most iterations of a step: one that needs more may be heading for another path.
 const MOST_ITERATIONS: usize = 8;
 
-/// Where to go over to the path that crosses: the number of the branch point, from 1; negative: in the opposite direction.
+/// Where to go over to the path that crosses: the number of the branch point, from 1; negative: in the opposite
+/// direction.
 pub type Branch = i64;
 
 /// How a path is followed, with scratch memory.
@@ -38,7 +40,8 @@ impl Statics {
         self
     }
 
-    /// Makes the equilibrium `state` the start of a path, if one is followed: in the direction in which the parameter grows.
+    /// Makes the equilibrium `state` the start of a path, if one is followed: in the direction in which the parameter
+    /// grows.
     ///
     /// # Errors
     /// The path has no direction there.
@@ -141,8 +144,8 @@ impl Statics {
         Ok(())
     }
 
-    /// Sets the tangent at `state`, an equilibrium of its path, in the direction of `before`; returns the cosine of the angle between the two. Counts motions that
-    /// release energy.
+    /// Sets the tangent at `state`, an equilibrium of its path, in the direction of `before`; returns the cosine of the
+    /// angle between the two. Counts motions that release energy.
     ///
     /// # Errors
     /// The equations are singular.

@@ -1,7 +1,9 @@
-//! Limit points of a path, where its parameter turns back, and branch points, where another path crosses: located between two points of the path, and told.
+//! Limit points of a path, where its parameter turns back, and branch points, where another path crosses: located
+//! between two points of the path, and told.
 //!
-//! At both the equations are singular. A limit point is a root of the growth of the parameter; a branch point one of `1/(cᵀ K⁻¹ c)`, which goes through zero as the
-//! smallest eigenvalue does, where `c` is the motion nearby that is nearest to a null vector.
+//! At both the equations are singular. A limit point is a root of the growth of the parameter; a branch point one of
+//! `1/(cᵀ K⁻¹ c)`, which goes through zero as the smallest eigenvalue does, where `c` is the motion nearby that is
+//! nearest to a null vector.
 
 use super::super::Statics;
 use crate::error::{Error, decimal};
@@ -16,12 +18,15 @@ use crate::solve::step::integrator::MOST_HALVINGS;
 const LOCATED: f64 = 1e-10;
 /// Most points that are tried for it.
 const MOST_TRIALS: usize = 60;
-/// Places of points around a branch point, by the step, that its place is interpolated between: cubically, to some 1e-8 of the step.
+/// Places of points around a branch point, by the step, that its place is interpolated between: cubically, to some 1e-8
+/// of the step.
 const AROUND: [f64; 4] = [-0.04, -0.02, 0.02, 0.04];
-/// A step goes over to the other path if more than this share of it is left behind the branch point; else the next one does.
+/// A step goes over to the other path if more than this share of it is left behind the branch point; else the next one
+/// does.
 const ROOM: f64 = 0.25;
 
-/// How far beside a singular point motions are counted, as a share of the step: points that lie closer together count as one. Still closer to it, round-off decides.
+/// How far beside a singular point motions are counted, as a share of the step: points that lie closer together count
+/// as one. Still closer to it, round-off decides.
 const NEARBY: f64 = 0.02;
 
 /// Inverse iterations for the motion that is nearest to a null vector.
@@ -55,7 +60,8 @@ struct Singularity {
 }
 
 impl Statics {
-    /// Looks for a singular point of the path from `state` to `next`, `length` further on, and remarks it. Where the user wants another path, takes `next` there.
+    /// Looks for a singular point of the path from `state` to `next`, `length` further on, and remarks it. Where the
+    /// user wants another path, takes `next` there.
     ///
     /// # Errors
     /// The step has several of them, or the other path is not found: a smaller step may do.
@@ -176,7 +182,8 @@ impl Statics {
         None
     }
 
-    /// How many motions begin or cease to release energy at the singular point of `stretch` that is `at` from its start.
+    /// How many motions begin or cease to release energy at the singular point of `stretch` that is `at` from its
+    /// start.
     fn released_at(&mut self, stretch: &mut Stretch, at: f64) -> u64 {
         let mut counts = [0; 2];
         for (count, side) in counts.iter_mut().zip([-NEARBY, NEARBY]) {
@@ -189,7 +196,8 @@ impl Statics {
         counts[0].abs_diff(counts[1])
     }
 
-    /// The motion that is nearest to a null vector of the equations at `point`, times the weights of [`System::mean_product`]: by inverse iterations.
+    /// The motion that is nearest to a null vector of the equations at `point`, times the weights of
+    /// [`System::mean_product`]: by inverse iterations.
     fn nearly_null(&mut self, system: &System, point: &State) -> Option<Vec<f64>> {
         self.linearize(system, point).ok()?;
         let count = point.q.len();
@@ -209,7 +217,8 @@ impl Statics {
         motion.iter().all(|value| value.is_finite()).then_some(motion)
     }
 
-    /// The motion against which the equations are singular at `point`, of length 1 by [`System::mean_product`]: the coordinate that moves most grows.
+    /// The motion against which the equations are singular at `point`, of length 1 by [`System::mean_product`]: the
+    /// coordinate that moves most grows.
     fn null_vector(&mut self, system: &System, point: &State, forces: &[f64]) -> Option<Vec<f64>> {
         let mut motion = self.response_to(system, point, forces)?;
         motion.truncate(forces.len());
@@ -219,7 +228,8 @@ impl Statics {
         motion.iter().all(|value| value.is_finite()).then_some(motion)
     }
 
-    /// What forces `forces` on the coordinates do at `point`, to first order; none where the equations are singular to round-off.
+    /// What forces `forces` on the coordinates do at `point`, to first order; none where the equations are singular to
+    /// round-off.
     fn response_to(&mut self, system: &System, point: &State, forces: &[f64]) -> Option<Vec<f64>> {
         self.linearize(system, point).ok()?;
         let mut response = vec![0.0; self.right.len()];
@@ -255,8 +265,8 @@ impl Statics {
         found
     }
 
-    /// The root of `test` near `about`, interpolated between points around it: nearest to a branch point Newton cannot tell one path from the other. None if one of
-    /// the points is not found either: fewer would give fewer digits.
+    /// The root of `test` near `about`, interpolated between points around it: nearest to a branch point Newton cannot
+    /// tell one path from the other. None if one of the points is not found either: fewer would give fewer digits.
     fn interpolate(&mut self, stretch: &mut Stretch, about: f64, test: &Test) -> Option<Singularity> {
         let mut points: Vec<(f64, [f64; 2])> = Vec::new();
         let mut nearest: Option<(f64, State)> = None;
@@ -272,13 +282,15 @@ impl Statics {
         nearest.map(|(_, state)| Singularity { length, parameter, state })
     }
 
-    /// The point of the path that is `length` from the start of `stretch`, with the value of `test` there; none where it is not found.
+    /// The point of the path that is `length` from the start of `stretch`, with the value of `test` there; none where
+    /// it is not found.
     fn try_at(&mut self, stretch: &mut Stretch, length: f64, test: &Test) -> Option<(f64, State)> {
         let point = self.point_at(stretch, length)?;
         self.value(stretch, point, test)
     }
 
-    /// The point of the path that is `length` from the start of `stretch`, without its tangent; none where it is not found.
+    /// The point of the path that is `length` from the start of `stretch`, without its tangent; none where it is not
+    /// found.
     fn point_at(&mut self, stretch: &mut Stretch, length: f64) -> Option<State> {
         let mut point = stretch.from.clone();
         let outcome = self.find_along(stretch.system, stretch.from, &mut point, length);
@@ -331,7 +343,8 @@ fn at_root(points: &[(f64, [f64; 2])]) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    /// The place of the root and what else is known there, of functions that are cubic in the value: exact but for rounding.
+    /// The place of the root and what else is known there, of functions that are cubic in the value: exact but for
+    /// rounding.
     #[test]
     fn roots_are_interpolated_cubically() {
         let known = |value: f64| [0.7 + 2.0 * value - 3.0 * value * value + value.powi(3), 5.0 - value.powi(3)];

@@ -1,5 +1,6 @@
-//! An FMU of FMI 3.0 in the `fmi` crate of crates.io: prints all Float64 outputs after each communication step as CSV, elements of arrays named as in FMI 2.0, for a comparison with
-//! results.csv of `ancf14 run`. A second instance must give the same numbers. (Version 0.8 of the crate has no FMU states.)
+//! An FMU of FMI 3.0 in the `fmi` crate of crates.io: prints all Float64 outputs after each communication step as CSV,
+//! elements of arrays named as in FMI 2.0, for a comparison with results.csv of `ancf14 run`. A second instance must
+//! give the same numbers. (Version 0.8 of the crate has no FMU states.)
 //!
 //!     host UNIT.fmu > results.csv
 

@@ -1,5 +1,6 @@
-//! What does the library answer where it offers nothing? An error that says why, in any mode, and NULL instead of an instance; it touches no
-//! argument, so that NULL does no harm. Types that no variable has are errors as soon as a variable is asked for.
+//! What does the library answer where it offers nothing? An error that says why, in any mode, and NULL instead of an
+//! instance; it touches no argument, so that NULL does no harm. Types that no variable has are errors as soon as a
+//! variable is asked for.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::{
@@ -219,7 +220,8 @@ fn handles_of_the_other_version() {
     assert!(super::super::unit::is_fine(other.setup(0.0)));
 }
 
-/// Hosts look up all names of the standard's header, and find them with its types: the list of exported names is that of the sources.
+/// Hosts look up all names of the standard's header, and find them with its types: the list of exported names is that
+/// of the sources.
 #[test]
 fn every_function_of_the_standard_is_there() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/ffi");

@@ -1,5 +1,5 @@
-//! Which rows of the variable table are elements of one array? All of them and nothing else: an array whose elements stand in another order, or
-//! are of another kind, would give a host numbers of other places.
+//! Which rows of the variable table are elements of one array? All of them and nothing else: an array whose elements
+//! stand in another order, or are of another kind, would give a host numbers of other places.
 
 use ancf14::fmi::{
     Value,

@@ -1,4 +1,5 @@
-//! Are adjoint derivatives the transposed of directional ones, with respect to time those of FMI 2.0, and dependencies those of the description?
+//! Are adjoint derivatives the transposed of directional ones, with respect to time those of FMI 2.0, and dependencies
+//! those of the description?
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use ancf14::{
@@ -112,7 +113,8 @@ fn output_derivatives() {
     assert_eq!(get([1, 1], 3).0, ERROR);
 }
 
-/// Element by element the dependencies are what the description says of the variables; after the initialization there are none.
+/// Element by element the dependencies are what the description says of the variables; after the initialization there
+/// are none.
 #[test]
 fn dependencies() {
     let place = Place::new(HELD);

@@ -1,5 +1,5 @@
-//! A host of FMI 3.0: the exported functions, called in this process as C calls them, on a model file in a directory of its own. It
-//! collects log lines and hears of internal steps.
+//! A host of FMI 3.0: the exported functions, called in this process as C calls them, on a model file in a directory of
+//! its own. It collects log lines and hears of internal steps.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::{
@@ -154,7 +154,8 @@ impl Place {
     }
 }
 
-// SAFETY of all calls below: `self.c` is a live instance of this process, used on one thread; arrays have the lengths that are passed.
+// SAFETY of all calls below: `self.c` is a live instance of this process, used on one thread; arrays have the lengths
+// that are passed.
 impl<'a> Unit<'a> {
     pub fn new(place: &'a Place) -> Self {
         Self::with(place, Wishes { updates: false, early_return: false, logging: true })

@@ -1,5 +1,6 @@
-//! Which call of FMI 3.0 is legal in which mode? The standard's lists (sections 2.3 and 4.2.1) are written down here a second time, and every function
-//! of a built unit is called in every mode that a host can bring it to. A refused call says so and changes nothing.
+//! Which call of FMI 3.0 is legal in which mode? The standard's lists (sections 2.3 and 4.2.1) are written down here a
+//! second time, and every function of a built unit is called in every mode that a host can bring it to. A refused call
+//! says so and changes nothing.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::{
@@ -64,7 +65,8 @@ const STATES: [Call; 6] = [
     Call::DeSerializeFMUstate,
 ];
 
-/// What the standard allows in a mode, and what is tolerated beyond it. A failed step terminates an instance by the standard; here it may also be revived.
+/// What the standard allows in a mode, and what is tolerated beyond it. A failed step terminates an instance by the
+/// standard; here it may also be revived.
 fn allowed(mode: Mode) -> (Vec<Call>, Vec<Call>) {
     use Call::*;
     let dependencies = [GetNumberOfVariableDependencies, GetVariableDependencies];

@@ -1,5 +1,5 @@
-//! What becomes of a panic in the middle of a step, between two updates? The instance is unusable and says so; nothing crosses to C. Run on a toy model
-//! that panics beyond a time, in parts of a quarter of a second.
+//! What becomes of a panic in the middle of a step, between two updates? The instance is unusable and says so; nothing
+//! crosses to C. Run on a toy model that panics beyond a time, in parts of a quarter of a second.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::{cell::RefCell, ffi::CStr, ffi::c_void, marker::PhantomData};
@@ -104,7 +104,8 @@ fn a_panic_in_a_callback_ends_the_step() {
     assert_eq!(toy.call(Call::DoStep, Instance::go_on), Status::Fatal);
 }
 
-/// A failed part brings the toy into the mode that only a state or a reset leaves; the parts before it count as the model says.
+/// A failed part brings the toy into the mode that only a state or a reset leaves; the parts before it count as the
+/// model says.
 #[test]
 fn a_failed_part_stops_the_step() {
     let lines = RefCell::default();
@@ -121,7 +122,8 @@ fn a_failed_part_stops_the_step() {
     assert!(lines.take()[0].contains("fmi3DoStep in step mode at t = 0.25 s: no equilibrium"));
 }
 
-/// Parts end where the step ends; the sum of them is the step at once, which the toy can take to the bit: quarters are exact.
+/// Parts end where the step ends; the sum of them is the step at once, which the toy can take to the bit: quarters are
+/// exact.
 #[test]
 fn parts_add_up() {
     let lines = RefCell::default();

@@ -1,6 +1,7 @@
-//! Random calls of FMI 3.0 with random arguments, also from within intermediate updates: is every one answered as the calling table says? Nothing may panic; a call
-//! that is refused changes nothing and says why; values that are handed out are finite; and what follows a saved state is the same to the bit each time, with
-//! inputs that are set between internal steps and with early returns.
+//! Random calls of FMI 3.0 with random arguments, also from within intermediate updates: is every one answered as the
+//! calling table says? Nothing may panic; a call that is refused changes nothing and says why; values that are handed
+//! out are finite; and what follows a saved state is the same to the bit each time, with inputs that are set between
+//! internal steps and with early returns.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::ptr::null_mut;

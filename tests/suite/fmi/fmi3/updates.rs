@@ -1,6 +1,7 @@
-//! Does a host that hears of internal steps see the motion, and may it end a communication step there? Whether it listens or not must not change a
-//! bit; values between are those that shorter communication steps have; and after an early return everything is that of the shorter step:
-//! states, derivatives, the continuation. Inputs that are set between act on the rest of the step.
+//! Does a host that hears of internal steps see the motion, and may it end a communication step there? Whether it
+//! listens or not must not change a bit; values between are those that shorter communication steps have; and after an
+//! early return everything is that of the shorter step: states, derivatives, the continuation. Inputs that are set
+//! between act on the rest of the step.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::cell::{Cell, RefCell};
@@ -83,7 +84,8 @@ fn listening_changes_nothing() {
     }
 }
 
-/// The host hears of every internal step, the last one included; values there are those of a unit with such communication steps.
+/// The host hears of every internal step, the last one included; values there are those of a unit with such
+/// communication steps.
 #[test]
 fn every_internal_step_is_told() {
     let place = Place::new(MODEL);
@@ -143,8 +145,8 @@ fn early_returns_are_only_where_they_can_be() {
     assert_eq!((answer.status, answer.early, answer.time), (OK, false, 3e-3));
 }
 
-/// What a host moves was on its way to the end of the step: the derivatives of the shorter step are those of that way, as differences
-/// of repeated steps show. The step goes back by an FMU state, and returns early at the same time again.
+/// What a host moves was on its way to the end of the step: the derivatives of the shorter step are those of that way,
+/// as differences of repeated steps show. The step goes back by an FMU state, and returns early at the same time again.
 #[test]
 fn derivatives_after_an_early_return() {
     let place = Place::new(HELD);
@@ -170,8 +172,8 @@ fn derivatives_after_an_early_return() {
     let largest = derivative.iter().fold(0.0, |largest, value| f64::max(largest, value.abs()));
     for (place, derivative) in derivative.iter().enumerate() {
         let difference = (right[place] - left[place]) / (2.0 * reach);
-        // Differences of second order with steps of 1e-4 rad leave out about 1e-8 of the derivative; Newton's tolerance of 1e-12 over the steps adds
-        // 1e-8 rad/rad, which stiff axial forces multiply.
+        // Differences of second order with steps of 1e-4 rad leave out about 1e-8 of the derivative; Newton's tolerance
+        // of 1e-12 over the steps adds 1e-8 rad/rad, which stiff axial forces multiply.
         let tolerance = 1e-6 * derivative.abs() + 1e-8 * largest;
         assert!((derivative - difference).abs() <= tolerance, "output {place}: {derivative} and {difference}");
     }
@@ -179,8 +181,9 @@ fn derivatives_after_an_early_return() {
     unit.forget(before);
 }
 
-/// Inputs that are set after some of the internal steps: bits are those of a host that returns early there, sets them and steps on, also where the
-/// solver chooses its steps and where a host moves a frame. Those that are set at the very end act on the next step.
+/// Inputs that are set after some of the internal steps: bits are those of a host that returns early there, sets them
+/// and steps on, also where the solver chooses its steps and where a host moves a frame. Those that are set at the very
+/// end act on the next step.
 #[test]
 fn inputs_between_act_on_the_rest() {
     for (text, length) in [(HELD, 1e-2), (MODEL, 5e-3), (&alpha(), 5e-3), (&paced(), 5e-3)] {
@@ -241,7 +244,8 @@ fn refused_inputs_between_change_nothing() {
     assert_eq!(unit.bits(), alone.bits());
 }
 
-/// The derivatives are those of the part of the step that the last inputs acted on; a host is told where a step failed after inputs were set.
+/// The derivatives are those of the part of the step that the last inputs acted on; a host is told where a step failed
+/// after inputs were set.
 #[test]
 fn derivatives_and_failures_after_inputs_between() {
     let place = Place::new(MODEL);
@@ -272,7 +276,8 @@ fn derivatives_and_failures_after_inputs_between() {
     assert_eq!(unit.step(answer.time, 1e-3).status, ERROR);
 }
 
-/// The state after an early return, as bytes in another instance: the same derivatives and the same continuation, to the bit.
+/// The state after an early return, as bytes in another instance: the same derivatives and the same continuation, to
+/// the bit.
 #[test]
 fn states_after_an_early_return() {
     let place = Place::new(HELD);
@@ -319,7 +324,8 @@ fn a_failed_step_goes_back() {
     unit.forget(state);
 }
 
-/// In the callback the instance refuses what would change it, goes on all the same, and survives that the host frees it.
+/// In the callback the instance refuses what would change it, goes on all the same, and survives that the host frees
+/// it.
 #[test]
 fn calls_from_inside_an_update() {
     let place = Place::new(MODEL);

@@ -1,4 +1,5 @@
-//! Do values of FMI 3.0 arrive where the description says, arrays element by element? All of a call or nothing, and what is wrong is said.
+//! Do values of FMI 3.0 arrive where the description says, arrays element by element? All of a call or nothing, and
+//! what is wrong is said.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 use std::ptr::{null, null_mut};
@@ -133,7 +134,8 @@ fn starts_and_parameters() {
     assert_eq!(unit.value::<3>("arm.to"), [0.5, 0.0, 0.0]);
 }
 
-/// Log categories are switched one by one, and nothing but errors is logged where they are off (FMI 3.0, section 2.3.1).
+/// Log categories are switched one by one, and nothing but errors is logged where they are off (FMI 3.0, section
+/// 2.3.1).
 #[test]
 fn log_categories() {
     let place = Place::new(MODEL);

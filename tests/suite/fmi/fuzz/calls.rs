@@ -34,8 +34,8 @@ impl Host<'_> {
         let kind = self.random.below(6) as i32 - 1;
         let (mut status, mut real, mut integer, mut text) = (fmi2Status::fmi2OK, 7.0, 7, null());
         let is_null = self.random.below(20) == 0;
-        // SAFETY: the unit is live; arrays have the lengths that are passed with them, or are NULL, or are so long that no array can be
-        // and are refused; texts end with a zero byte.
+        // SAFETY: the unit is live; arrays have the lengths that are passed with them, or are NULL, or are so long that
+        // no array can be and are refused; texts end with a zero byte.
         unsafe {
             match call {
                 Call::SetDebugLogging => {
@@ -209,7 +209,8 @@ impl Host<'_> {
         let other = Unit::new(self.place);
         let ended = other.c;
         drop(other);
-        // SAFETY: texts end with a zero byte or are NULL; the callbacks live as long as the unit. What the ended handle is, is the question.
+        // SAFETY: texts end with a zero byte or are NULL; the callbacks live as long as the unit. What the ended handle
+        // is, is the question.
         unsafe {
             let nobody = fmi2Instantiate(
                 [null(), c"".as_ptr(), c"name".as_ptr()][self.random.below(3)],

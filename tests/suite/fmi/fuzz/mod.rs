@@ -1,6 +1,7 @@
-//! Random calls with random arguments on shipped models: is every one of them answered as the calling table says? Whatever comes, NULL,
-//! numbers that are none, values at the limits, handles that were given back, nothing may panic; a call that is refused changes nothing and
-//! says why; values that are handed out are finite; and what follows a saved state is the same to the bit each time.
+//! Random calls with random arguments on shipped models: is every one of them answered as the calling table says?
+//! Whatever comes, NULL, numbers that are none, values at the limits, handles that were given back, nothing may panic;
+//! a call that is refused changes nothing and says why; values that are handed out are finite; and what follows a saved
+//! state is the same to the bit each time.
 #![allow(unsafe_code, reason = "tests of the C ABI")]
 
 mod calls;

@@ -1,4 +1,5 @@
-//! What is tiny (micrometers) and huge (kilometers): the same kinds of machines with all lengths scaled, and the times that go with them.
+//! What is tiny (micrometers) and huge (kilometers): the same kinds of machines with all lengths scaled, and the times
+//! that go with them.
 
 use super::Kind;
 use super::choice::{Choice, round};

@@ -5,8 +5,9 @@ use super::choice::{Choice, round};
 use super::text::{Text, list, number};
 use std::f64::consts::TAU;
 
-/// Spinning flat beams gain energy with the midpoint rules the sooner the finer the mesh is, so that refinement does not find the truth; generalized-alpha
-/// keeps the energy of all of them (`machines/conserving_flat_shaft.toml`, `machines/conserving_spinning_strip.toml`).
+/// Spinning flat beams gain energy with the midpoint rules the sooner the finer the mesh is, so that refinement does
+/// not find the truth; generalized-alpha keeps the energy of all of them (`machines/conserving_flat_shaft.toml`,
+/// `machines/conserving_spinning_strip.toml`).
 const JUDGE: Option<&str> = Some("generalized_alpha");
 
 pub(super) const KINDS: [Kind; 5] = [

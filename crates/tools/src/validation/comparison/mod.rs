@@ -1,4 +1,5 @@
-//! ANCF24, the paper's comparator, beside ANCF14: the four benchmarks of the paper with both elements, same mesh, same step.
+//! ANCF24, the paper's comparator, beside ANCF14: the four benchmarks of the paper with both elements, same mesh, same
+//! step.
 
 pub mod equilibria;
 pub mod motion;

@@ -9,7 +9,8 @@ use std::fmt::Write;
 
 /// Rounds over all meshes: of each mesh the smallest time counts.
 const ROUNDS: usize = 3;
-/// Runs are repeated until they have taken this much CPU time together, s: the system counts in steps of some milliseconds.
+/// Runs are repeated until they have taken this much CPU time together, s: the system counts in steps of some
+/// milliseconds.
 const LEAST: f64 = 0.3;
 /// A run that takes more than this is timed once: other work of the machine averages out, s.
 const LONG: f64 = 8.0;

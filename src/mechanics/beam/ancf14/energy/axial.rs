@@ -1,7 +1,8 @@
-//! Stretching: `EA/2 eps²` for small strain, `EA/2 e² + E Ip/2 taum² e` (Wagner's term) with the Green strain `e` otherwise, J/m (MECHANICS 3.1, 3.2).
+//! Stretching: `EA/2 eps²` for small strain, `EA/2 e² + E Ip/2 taum² e` (Wagner's term) with the Green strain `e`
+//! otherwise, J/m (MECHANICS 3.1, 3.2).
 //!
-//! Over a step the strain is the mean of the two ends' and its force acts along the mean slope (MECHANICS 7.6): a beam that
-//! turns keeps its length. At an increment of zero that is the plain energy of the configuration.
+//! Over a step the strain is the mean of the two ends' and its force acts along the mean slope (MECHANICS 7.6): a beam
+//! that turns keeps its length. At an increment of zero that is the plain energy of the configuration.
 
 use crate::math::rotation::normal_projector;
 use crate::math::{Mat3, Vec3};
@@ -29,7 +30,8 @@ impl Slope {
         ((self.middle - self.increment * 0.5).norm(), (self.middle + self.increment * 0.5).norm())
     }
 
-    /// Mean Green strain of the two ends of the step, 1: `((|r'|/J0)² − 1)/2 + |Δr'|²/(8 J0²)`, natural strain taken off.
+    /// Mean Green strain of the two ends of the step, 1: `((|r'|/J0)² − 1)/2 + |Δr'|²/(8 J0²)`, natural strain taken
+    /// off.
     #[inline]
     pub fn green_strain(&self) -> f64 {
         let square = self.reference_square;
@@ -37,7 +39,8 @@ impl Slope {
             - self.natural
     }
 
-    /// Mean engineering strain of the two ends of the step, 1: `(|r'_a| + |r'_b|)/(2 J0) − 1`, natural strain taken off.
+    /// Mean engineering strain of the two ends of the step, 1: `(|r'_a| + |r'_b|)/(2 J0) − 1`, natural strain taken
+    /// off.
     #[inline]
     pub fn engineering_strain(&self) -> f64 {
         let (start, end) = self.stretches();
@@ -60,8 +63,8 @@ impl Slope {
         }
     }
 
-    /// The direction of the force over the step by the strain that `strain` names, 1: its product with the increment is the change of the strain; at an
-    /// instant [`Self::strain_p`].
+    /// The direction of the force over the step by the strain that `strain` names, 1: its product with the increment is
+    /// the change of the strain; at an instant [`Self::strain_p`].
     #[inline]
     pub fn strain_mean_p(&self, strain: Strain) -> Vec3 {
         match strain {
@@ -82,8 +85,9 @@ impl Slope {
         }
     }
 
-    /// Twice the derivative of `force` (N m) along [`Self::strain_mean_p`] by the slope at the end of the step, N m, where `force` changes by `stiffness` (N m)
-    /// with the strain that `strain` names; at an increment of zero the Hessian.
+    /// Twice the derivative of `force` (N m) along [`Self::strain_mean_p`] by the slope at the end of the step, N m,
+    /// where `force` changes by `stiffness` (N m) with the strain that `strain` names; at an increment of zero the
+    /// Hessian.
     #[inline]
     pub fn force_hessian(&self, strain: Strain, force: f64, stiffness: f64) -> Mat3 {
         match strain {
@@ -109,7 +113,8 @@ impl Slope {
         self.increment / (2.0 * self.reference_square)
     }
 
-    /// `n/J0`, 1, with `n = (r'_a + r'_b)/(|r'_a| + |r'_b|)`: its product with the increment is what the engineering strain changes by over the step.
+    /// `n/J0`, 1, with `n = (r'_a + r'_b)/(|r'_a| + |r'_b|)`: its product with the increment is what the engineering
+    /// strain changes by over the step.
     #[inline]
     pub fn engineering_strain_mean_p(&self) -> Vec3 {
         let (start, end) = self.stretches();
@@ -142,8 +147,8 @@ pub mod small {
         stiffness.axial * strain
     }
 
-    /// Twice the derivative of `force` along the mean slope by the slope at the end of the step, N m, where `force` (N m) changes by `stiffness` (N m) with
-    /// the strain; at an increment of zero the Hessian.
+    /// Twice the derivative of `force` along the mean slope by the slope at the end of the step, N m, where `force` (N
+    /// m) changes by `stiffness` (N m) with the strain; at an increment of zero the Hessian.
     #[inline]
     pub fn hessian(slope: &Slope, force: f64, stiffness: f64) -> Mat3 {
         let (start, end) = slope.stretches();

@@ -1,9 +1,9 @@
-//! A tension center off the axis: what the odd moments of a section about the axis add to its energy (MECHANICS 3.2c), J/m,
-//! `−λ e S·g − tau² M·g/2 − K(g)/2` with `λ² = 1 + 2 e`, `S = EA c`, `M = E ∫ (y, z) r² dA` and `K(g) = E ∫ (y g1 + z g2)³ dA`; for small strain `−e S·g`,
-//! with the engineering strain `e`.
+//! A tension center off the axis: what the odd moments of a section about the axis add to its energy (MECHANICS 3.2c),
+//! J/m, `−λ e S·g − tau² M·g/2 − K(g)/2` with `λ² = 1 + 2 e`, `S = EA c`, `M = E ∫ (y, z) r² dA` and
+//! `K(g) = E ∫ (y g1 + z g2)³ dA`; for small strain `−e S·g`, with the engineering strain `e`.
 //!
-//! They are the products of the linear part of the fibers' Green strain with its other parts. Where the tension center is on the axis and the section is
-//! symmetric all of them are 0: most elements have none.
+//! They are the products of the linear part of the fibers' Green strain with its other parts. Where the tension center
+//! is on the axis and the section is symmetric all of them are 0: most elements have none.
 
 use crate::mechanics::beam::ancf14::strain::{Eccentricity, Resultants, Rigidities, Strain, Strains};
 
@@ -52,7 +52,8 @@ pub fn axial(strain: Strain, moments: &Eccentricity, strains: &Strains) -> f64 {
     -second * (s1 * g1 + s2 * g2)
 }
 
-/// Second derivatives by the strains, but for [`axial`]; the rate-dependent stress is `stiffening` times that of small strains.
+/// Second derivatives by the strains, but for [`axial`]; the rate-dependent stress is `stiffening` times that of small
+/// strains.
 pub fn hessian(strain: Strain, moments: &Eccentricity, strains: &Strains, stiffening: f64) -> Rigidities {
     let [g1, g2, tau, e] = (*strains).into();
     let [_, by_e, _] = stretched(strain, e);

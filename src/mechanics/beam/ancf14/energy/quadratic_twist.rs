@@ -1,9 +1,9 @@
-//! Quadratic twist: `α += 4 b ξ (1 − ξ)` with one internal coordinate `b` an element, which has no mass and stands where
-//! `∂U/∂b = 0` (MECHANICS 5.3). It makes the twist of order 4 where the torque changes along the beam.
+//! Quadratic twist: `α += 4 b ξ (1 − ξ)` with one internal coordinate `b` an element, which has no mass and stands
+//! where `∂U/∂b = 0` (MECHANICS 5.3). It makes the twist of order 4 where the torque changes along the beam.
 //!
-//! `b` is found anew from 0 at every evaluation: it is a function of the coordinates, no state. The gradient by the coordinates
-//! is the one at `b` held; the Hessian is condensed, `U_qq − U_qb U_qbᵀ / U_bb`. The total twist and the mean torsion of the axial
-//! points do not change with `b`.
+//! `b` is found anew from 0 at every evaluation: it is a function of the coordinates, no state. The gradient by the
+//! coordinates is the one at `b` held; the Hessian is condensed, `U_qq − U_qb U_qbᵀ / U_bb`. The total twist and the
+//! mean torsion of the axial points do not change with `b`.
 
 use crate::mechanics::beam::ancf14::coordinates::{ElementVector, spread};
 use crate::mechanics::beam::ancf14::element::Evaluation;
@@ -148,14 +148,16 @@ impl Condensation {
         -by_q / self.by_b
     }
 
-    /// Applies the static condensation of `b` to `by`, the derivatives with respect to the corotated coordinates of a quantity that changes by `share` with `b`.
+    /// Applies the static condensation of `b` to `by`, the derivatives with respect to the corotated coordinates of a
+    /// quantity that changes by `share` with `b`.
     #[inline]
     pub fn condense_row(&self, share: f64, by: &mut CorotatedVector) {
         let factor = share / self.by_b;
         by.iter_mut().zip(&self.by_shape).for_each(|(by, by_shape)| *by -= by_shape * factor);
     }
 
-    /// Applies the static condensation of `b` to `second`, the second derivatives with respect to the corotated coordinates.
+    /// Applies the static condensation of `b` to `second`, the second derivatives with respect to the corotated
+    /// coordinates.
     pub fn condense(&self, second: &mut CorotatedMatrix) {
         for (column, by_shape) in second.iter_mut().zip(self.by_shape) {
             self.condense_row(by_shape, column);

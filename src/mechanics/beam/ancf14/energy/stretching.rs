@@ -1,5 +1,5 @@
-//! Second derivatives that have to do with the stretch of the axial points: they act on all coordinates of an element, in space
-//! (MECHANICS 8). Densities are those of axial.rs.
+//! Second derivatives that have to do with the stretch of the axial points: they act on all coordinates of an element,
+//! in space (MECHANICS 8). Densities are those of axial.rs.
 
 use super::quadratic_twist::Condensation;
 use super::{axial, eccentricity};
@@ -39,7 +39,8 @@ pub fn add_small_hessian(evaluation: &Evaluation, scale: f64, sum: &mut ElementC
     }
 }
 
-/// What the second derivatives by the strains of the axial points are made of, where bending points see them: of large strain, or with a tension center off the axis.
+/// What the second derivatives by the strains of the axial points are made of, where bending points see them: of large
+/// strain, or with a tension center off the axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Coupled<'a> {
     /// Where they are taken.
@@ -55,7 +56,8 @@ pub struct Coupled<'a> {
 }
 
 impl Coupled<'_> {
-    /// Adds `scale` times all second derivatives by the strains of the axial points to `sum`, without the rows and columns of `r_0`.
+    /// Adds `scale` times all second derivatives by the strains of the axial points to `sum`, without the rows and
+    /// columns of `r_0`.
     #[inline]
     pub fn add_hessian(&self, scale: f64, sum: &mut ElementColumns) {
         let (element, shape) = (self.evaluation.element, &self.evaluation.kinematics.shape);
@@ -94,7 +96,8 @@ impl Coupled<'_> {
         }
     }
 
-    /// Adds `scale` times the second derivatives by the axial strains of the bending points, which a tension center off the axis has.
+    /// Adds `scale` times the second derivatives by the axial strains of the bending points, which a tension center off
+    /// the axis has.
     fn add_eccentric(&self, scale: f64, sum: &mut ElementColumns) {
         let element = self.evaluation.element;
         let strain = element.stiffness.strain;
@@ -115,8 +118,8 @@ impl Coupled<'_> {
         }
     }
 
-    /// Derivatives of what the energy has by the strain of axial point `m`, by the strains of the bending points; `by_twist` is
-    /// the one by `T`, N m.
+    /// Derivatives of what the energy has by the strain of axial point `m`, by the strains of the bending points;
+    /// `by_twist` is the one by `T`, N m.
     #[inline]
     fn forces(&self, m: usize, by_twist: f64) -> Forces {
         let mut forces = Forces { twist: by_twist, ..Forces::default() };

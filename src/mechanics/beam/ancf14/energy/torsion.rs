@@ -1,4 +1,5 @@
-//! Torsion: Saint-Venant's `G Jt/2 tau²`, J/m (MECHANICS 3.1). The Wagner term lives with the axial points, in axial.rs.
+//! Torsion: Saint-Venant's `G Jt/2 tau²`, J/m (MECHANICS 3.1). The Wagner term lives with the axial points, in
+//! axial.rs.
 
 use crate::mechanics::beam::ancf14::strain::{BendingStiffness, Resultants, Rigidities, Strains};
 

@@ -1,8 +1,9 @@
 //! What strains of bending and torsion depend on: nine numbers, the element as its first node sees it (MECHANICS 8).
 //!
-//! In the frame `[t u v]` of the first node: the chord `r_1 − r_0`, the second slope `p_1` and the first stretch `|p_0|` (the first
-//! slope lies along `t`); beside them the twist between the nodes, `θ_1 − θ_0 + β`, and `θ_0`. Strains are differentiated by these
-//! nine; the way back to the 14 coordinates, turn of the frame and holonomy included, is here alone.
+//! In the frame `[t u v]` of the first node: the chord `r_1 − r_0`, the second slope `p_1` and the first stretch
+//! `|p_0|` (the first slope lies along `t`); beside them the twist between the nodes, `θ_1 − θ_0 + β`, and `θ_0`.
+//! Strains are differentiated by these nine; the way back to the 14 coordinates, turn of the frame and holonomy
+//! included, is here alone.
 
 use super::Holonomy;
 use crate::math::vectors::vec3;
@@ -56,7 +57,8 @@ pub struct CorotatedChange {
     pub angle: f64,
 }
 
-/// What the derivatives of a corotated shape by the coordinates change by with a small change of these; all in the axes of the first frame.
+/// What the derivatives of a corotated shape by the coordinates change by with a small change of these; all in the axes
+/// of the first frame.
 #[derive(Clone, Copy, Debug)]
 pub struct WayBackChange {
     /// Turn of the first frame, rad.
@@ -84,8 +86,8 @@ impl CorotatedChange {
 }
 
 impl<'a> CorotatedShape<'a> {
-    /// At the element's coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the last accepted
-    /// state, rad.
+    /// At the element's coordinates `q` (14), with its nodes' frames there and the holonomy angle `previous` of the
+    /// last accepted state, rad.
     #[inline]
     pub fn new(q: &[f64], frames: [&'a NodeFrame; 2], previous: f64) -> Self {
         let [first, second] = frames;
@@ -99,7 +101,8 @@ impl<'a> CorotatedShape<'a> {
         }
     }
 
-    /// `Σ_a weight_a X_a` of the nodes' places and slopes in the first node's frame; weights of the places are opposite.
+    /// `Σ_a weight_a X_a` of the nodes' places and slopes in the first node's frame; weights of the places are
+    /// opposite.
     #[inline]
     pub fn interpolate(&self, weights: &[f64; 4]) -> Vec3 {
         let mut sum = self.chord_local * weights[2] + self.slope_local * weights[3];
@@ -140,7 +143,8 @@ impl<'a> CorotatedShape<'a> {
         sum
     }
 
-    /// What [`Self::gradient`] of the same derivatives `by` changes by with a small change of the coordinates, 14×1: `Ṡᵀ by` (MECHANICS 3.8).
+    /// What [`Self::gradient`] of the same derivatives `by` changes by with a small change of the coordinates, 14×1:
+    /// `Ṡᵀ by` (MECHANICS 3.8).
     pub fn gradient_change(&self, by: &CorotatedVector, change: &WayBackChange) -> ElementVector {
         let [first, _] = self.frames;
         let WayBackChange { turn, chord, slope, stretch, k, twist_p0, twist_p1 } = change;
@@ -157,7 +161,8 @@ impl<'a> CorotatedShape<'a> {
         by_coordinates(&by_chord, &by_p0, &by_p1)
     }
 
-    /// What the derivatives of the shape with respect to the coordinates change by with small changes `change` (14) of the coordinates; these change the shape by `own`.
+    /// What the derivatives of the shape with respect to the coordinates change by with small changes `change` (14) of
+    /// the coordinates; these change the shape by `own`.
     pub fn way_back_change(&self, change: &[f64], own: &CorotatedChange) -> WayBackChange {
         let [first, second] = self.frames;
         let holonomy = self.holonomy.local(first, second);
@@ -184,10 +189,12 @@ impl<'a> CorotatedShape<'a> {
         }
     }
 
-    /// Sets `sum` to `scale ∂²F/∂q²`, 14×14 but for the rows and columns of `r_0` ([`crate::mechanics::beam::ancf14::coordinates::complete`]), of what has the
-    /// derivatives `by` and the second derivatives `second` by the corotated shape; fills in the upper triangle of `second`.
+    /// Sets `sum` to `scale ∂²F/∂q²`, 14×14 but for the rows and columns of `r_0`
+    /// ([`crate::mechanics::beam::ancf14::coordinates::complete`]), of what has the derivatives `by` and the second
+    /// derivatives `second` by the corotated shape; fills in the upper triangle of `second`.
     ///
-    /// All of it is done in the axes `[t u v]` of the first frame, in which `∂φ/∂p_0` and all that has to do with `t` are mostly zeros.
+    /// All of it is done in the axes `[t u v]` of the first frame, in which `∂φ/∂p_0` and all that has to do with `t`
+    /// are mostly zeros.
     pub fn set_hessian(
         &self,
         by: &CorotatedVector,
@@ -203,8 +210,8 @@ impl<'a> CorotatedShape<'a> {
         let holonomy = self.holonomy.local(start, end);
         let (b0, b1) = (&holonomy.p0, &holonomy.p1);
 
-        // By the first slope: along `t` it stretches; along `u` and `v` it turns the frame, which all the rest sees as the opposite turn of
-        // chord and slope, and it changes the holonomy.
+        // By the first slope: along `t` it stretches; along `u` and `v` it turns the frame, which all the rest sees as
+        // the opposite turn of chord and slope, and it changes the holonomy.
         let turns = [Vec3::new(-k_u, 0.0, 1.0) * per_stretch, Vec3::new(-k_v, -1.0, 0.0) * per_stretch]; // columns of ∂φ/∂p
         let along = &second[STRETCH];
         let (shape_u, u) = self.by_turn(&turns[0], b0[1], second, [&by_chord, &by_slope]);
@@ -277,8 +284,8 @@ impl<'a> CorotatedShape<'a> {
         sum[NODE + THETA][NODE + THETA] = stiffness * scale;
     }
 
-    /// What the corotated shape changes by with a first slope that makes the frame turn by `turn` and the holonomy change by `twist`; and
-    /// what the derivatives `by`, in the axes of the frame, change by with it.
+    /// What the corotated shape changes by with a first slope that makes the frame turn by `turn` and the holonomy
+    /// change by `twist`; and what the derivatives `by`, in the axes of the frame, change by with it.
     #[inline]
     fn by_turn(
         &self,
@@ -300,23 +307,24 @@ impl<'a> CorotatedShape<'a> {
         (shape, change)
     }
 
-    /// Moment on the first node's frame of forces on the chord and on the second slope, by invariance (MECHANICS 8); all in its axes.
+    /// Moment on the first node's frame of forces on the chord and on the second slope, by invariance (MECHANICS 8);
+    /// all in its axes.
     #[inline]
     fn moment(&self, by_chord: &Vec3, by_slope: &Vec3) -> Vec3 {
         by_chord.cross(&self.chord_local) + by_slope.cross(&self.slope_local)
     }
 }
 
-/// By chord, second slope and first stretch, of what has the derivatives `by_p` and `by_w` by `r'` and `r''`, components in the first
-/// node's frame; the weights are those of [`CorotatedShape::interpolate`].
+/// By chord, second slope and first stretch, of what has the derivatives `by_p` and `by_w` by `r'` and `r''`,
+/// components in the first node's frame; the weights are those of [`CorotatedShape::interpolate`].
 #[inline]
 pub fn spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], by_p: &Vec3, by_w: &Vec3) -> CorotatedVector {
     let of = |i: usize, a: usize| by_p[i] * shape_x[a] + by_w[i] * shape_xx[a];
     [of(0, 2), of(1, 2), of(2, 2), of(0, 3), of(1, 3), of(2, 3), of(0, 1), 0.0, 0.0, 0.0]
 }
 
-/// Adds to the lower triangle of `sum` what has the second derivatives `pp` by `r'`, of which the lower triangle counts, and `pw` by `r'`
-/// and `r''`, none by `r''` twice.
+/// Adds to the lower triangle of `sum` what has the second derivatives `pp` by `r'`, of which the lower triangle
+/// counts, and `pw` by `r'` and `r''`, none by `r''` twice.
 #[inline]
 pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3, sum: &mut CorotatedMatrix) {
     let (square, both) = (|a: usize| shape_x[a] * shape_x[a], |a: usize| shape_x[a] * shape_xx[a]);
@@ -345,7 +353,8 @@ pub fn add_spread(shape_x: &[f64; 4], shape_xx: &[f64; 4], pp: &Mat3, pw: &Mat3,
     sum[STRETCH][STRETCH] += pp[(0, 0)] * square(1) + 2.0 * pw[(0, 0)] * both(1);
 }
 
-/// The derivatives with respect to the coordinates, 14×1, of what has these with respect to the chord and to both slopes; 0 with respect to the angles.
+/// The derivatives with respect to the coordinates, 14×1, of what has these with respect to the chord and to both
+/// slopes; 0 with respect to the angles.
 #[inline]
 fn by_coordinates(by_chord: &Vec3, by_p0: &Vec3, by_p1: &Vec3) -> ElementVector {
     let mut sum = ElementVector::zeros();

@@ -1,5 +1,6 @@
-//! One point of the curve inside the element: curvatures and twist rate of the frame carried there from the first node, as functions
-//! of `P = r'` and `W = r''` in the components of that node's frame, with two derivatives (MECHANICS 2.15, 8).
+//! One point of the curve inside the element: curvatures and twist rate of the frame carried there from the first node,
+//! as functions of `P = r'` and `W = r''` in the components of that node's frame, with two derivatives (MECHANICS 2.15,
+//! 8).
 
 use super::corotated::CorotatedShape;
 use crate::math::{Mat3, Vec3};
@@ -115,9 +116,10 @@ impl CurveGradients<'_> {
 
     /// `∂²F/∂P²`, of which the lower triangle counts, and `∂²F/∂P∂W` of `F = c·(κ1, κ2, ω)`; `∂²F/∂W²` is zero.
     ///
-    /// What MECHANICS 8 says, sorted by the vectors that it is made of: with `x` the first axis, `d = n + x`, `a = (0, c1, c2)`,
-    /// `m = (0, P2, −P1)`, `A = a·P/(|P| D)`, `s = c3/(|P| D)`, and `(x, y) = x yᵀ + y xᵀ`,
-    /// `F_PP = q I + (n, z1) + (x, z2) − (h_P, a)/|P|`, `F_PW = n z3ᵀ + x z4ᵀ − a dᵀ/(|P| D) − A/|P| I + s (e2 e1ᵀ − e1 e2ᵀ)`.
+    /// What MECHANICS 8 says, sorted by the vectors that it is made of: with `x` the first axis, `d = n + x`,
+    /// `a = (0, c1, c2)`, `m = (0, P2, −P1)`, `A = a·P/(|P| D)`, `s = c3/(|P| D)`, and `(x, y) = x yᵀ + y xᵀ`,
+    /// `F_PP = q I + (n, z1) + (x, z2) − (h_P, a)/|P|`,
+    /// `F_PW = n z3ᵀ + x z4ᵀ − a dᵀ/(|P| D) − A/|P| I + s (e2 e1ᵀ − e1 e2ᵀ)`.
     #[inline]
     pub fn hessian(&self, c: &[f64; 3]) -> (Mat3, Mat3) {
         let &Self { point, per_stretch, per_area, n, d, h_p, h_w, omega_p } = self;

@@ -1,4 +1,5 @@
-//! The frame inside the element: one minimal rotation from the first node, plus the integral of its twist rate (MECHANICS 2.7-2.15, 8).
+//! The frame inside the element: one minimal rotation from the first node, plus the integral of its twist rate
+//! (MECHANICS 2.7-2.15, 8).
 
 pub mod corotated;
 pub mod curve_point;
@@ -32,7 +33,8 @@ impl Holonomy {
         let (s, c) = (second.u.dot(&second.t.cross(&u_c)), second.u.dot(&u_c));
         let angle = s.atan2(c);
         let turns = (previous - angle) / TAU;
-        // Nearly always less than half a turn: to round it is a call of the C library where processors have no instruction for it.
+        // Nearly always less than half a turn: to round it is a call of the C library where processors have no
+        // instruction for it.
         let turns = if turns.abs() < 0.5 { 0.0_f64.copysign(turns) } else { turns.round() };
         Self { angle: angle + TAU * turns, k: half_turn(&first.t, &second.t) }
     }
@@ -45,8 +47,8 @@ impl Holonomy {
 
     /// First and second derivatives in the axes of the first frame.
     ///
-    /// Each part of (2.9) is `∂kb/∂t (I − t tᵀ) = [t]×/2 − t kᵀ + (k lᵀ + l kᵀ)/2`, `l = k × t`, of a turn `k` to the tangent `t` or
-    /// away from it; what is not symmetric cancels in the derivatives by the same slope twice.
+    /// Each part of (2.9) is `∂kb/∂t (I − t tᵀ) = [t]×/2 − t kᵀ + (k lᵀ + l kᵀ)/2`, `l = k × t`, of a turn `k` to the
+    /// tangent `t` or away from it; what is not symmetric cancels in the derivatives by the same slope twice.
     #[inline]
     pub fn local(&self, first: &NodeFrame, second: &NodeFrame) -> LocalHolonomy {
         let (per_0, per_1) = (1.0 / first.stretch, 1.0 / second.stretch);
@@ -124,7 +126,8 @@ impl<'a> Kinematics<'a> {
         Self { shape, points, twist, alpha }
     }
 
-    /// Angle of the section against the frame carried from the first node, at `xi`, rad (2.13); `collocation` is `l A_h(ξ)`, m.
+    /// Angle of the section against the frame carried from the first node, at `xi`, rad (2.13); `collocation` is
+    /// `l A_h(ξ)`, m.
     pub fn alpha_at(&self, q: &[f64], xi: f64, collocation: &[f64; 3]) -> f64 {
         alpha_at(q, (xi, collocation), self.twist, &self.points)
     }

@@ -1,6 +1,8 @@
-//! The quadrature points of an element: what each of them knows of the undeformed beam (MECHANICS 2.16) and of its section.
+//! The quadrature points of an element: what each of them knows of the undeformed beam (MECHANICS 2.16) and of its
+//! section.
 //!
-//! Elements of one length and section share the part that follows from these: it is most of what a point has, and a beam has it once.
+//! Elements of one length and section share the part that follows from these: it is most of what a point has, and a
+//! beam has it once.
 
 use crate::mechanics::beam::ancf14::strain::{AxialStiffness, BendingStiffness};
 use std::ops::Deref;
@@ -58,7 +60,8 @@ pub struct BendingRule {
     pub from_axial: [f64; 3],
     /// Stiffness of the section here.
     pub stiffness: BendingStiffness,
-    /// Angle about the tangent from the axes of the interpolated section to the principal axes of the section here, rad.
+    /// Angle about the tangent from the axes of the interpolated section to the principal axes of the section here,
+    /// rad.
     pub principal: f64,
     /// The part of it to the axes of the section here, rad.
     pub turn: f64,

@@ -102,7 +102,8 @@ impl<'a> SectionPoint<'a> {
         turn_q
     }
 
-    /// `∂(turn_qᵀ m)/∂q`, 14×14, of a moment frozen in space; a force at an interior point has none: places are linear in q.
+    /// `∂(turn_qᵀ m)/∂q`, 14×14, of a moment frozen in space; a force at an interior point has none: places are linear
+    /// in q.
     pub fn moment_stiffness(&self, c: &BeamConfiguration, moment: &Vec3) -> ElementMatrix {
         let (element, kinematics) = (self.element, self.kinematics);
         let [first, _] = element.frames(c);

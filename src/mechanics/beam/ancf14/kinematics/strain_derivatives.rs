@@ -1,6 +1,7 @@
-//! The way back from the strains of the bending points to the element's corotated shape (MECHANICS 8). Strains are functions of `κ1`, `κ2`,
-//! `α` of each bending point and of `T`: their derivatives by these ([`Forces`], [`Couplings`]) and those of these by the shape
-//! ([`Gradients`]) are all there is. Elastic and viscous resultants go the same way.
+//! The way back from the strains of the bending points to the element's corotated shape (MECHANICS 8). Strains are
+//! functions of `κ1`, `κ2`, `α` of each bending point and of `T`: their derivatives by these ([`Forces`],
+//! [`Couplings`]) and those of these by the shape ([`Gradients`]) are all there is. Elastic and viscous resultants go
+//! the same way.
 
 use super::Kinematics;
 use super::corotated::{self, ANGLE, COROTATED, CorotatedChange, CorotatedMatrix, CorotatedVector, TWIST};
@@ -92,7 +93,8 @@ impl<'a> Gradients<'a> {
         [strain([cos, sin], gamma2, 0.0), strain([-sin, cos], -gamma1, 0.0), strain([0.0, 0.0], 0.0, by_twist)]
     }
 
-    /// What [`Self::strains`] of all bending points change by with a small change of the corotated shape: `H_i ṡ` of each strain (MECHANICS 3.8).
+    /// What [`Self::strains`] of all bending points change by with a small change of the corotated shape: `H_i ṡ` of
+    /// each strain (MECHANICS 3.8).
     pub fn strain_changes(&self, evaluation: &Evaluation, change: &CorotatedChange) -> [[CorotatedVector; 3]; 3] {
         let rules = &evaluation.element.bending;
         // Of the curvatures and the twist rate of a point, and of their gradients.
@@ -140,7 +142,8 @@ impl<'a> Gradients<'a> {
         })
     }
 
-    /// Adds to the lower triangle of `sum` the Hessian of the weighted sum `factors`, at frozen factors; with [`Self::add_couplings`] it is all of it.
+    /// Adds to the lower triangle of `sum` the Hessian of the weighted sum `factors`, at frozen factors; with
+    /// [`Self::add_couplings`] it is all of it.
     #[inline]
     pub fn add_frozen(&self, factors: &Factors, element: &Element, sum: &mut CorotatedMatrix) {
         for (g, rule) in element.bending.iter().enumerate() {
@@ -182,8 +185,8 @@ impl<'a> Gradients<'a> {
     }
 }
 
-/// Adds two columns of `Σ_k parts_k changes_kᵀ` to the lower triangle of `sum`, those from `FIRST` on. Gathered beside the matrix: the
-/// processor keeps them at hand.
+/// Adds two columns of `Σ_k parts_k changes_kᵀ` to the lower triangle of `sum`, those from `FIRST` on. Gathered beside
+/// the matrix: the processor keeps them at hand.
 #[inline]
 fn add_products<const FIRST: usize>(
     parts: &[CorotatedVector; PARTS],
@@ -215,8 +218,8 @@ pub struct Forces {
 }
 
 impl Forces {
-    /// Of `Σ_g resultants_g · (g1, g2, tau)_g + Σ_m torques_m taum_m`, quadrature weights included; the last resultant, of the
-    /// axial strain, has no part in it.
+    /// Of `Σ_g resultants_g · (g1, g2, tau)_g + Σ_m torques_m taum_m`, quadrature weights included; the last resultant,
+    /// of the axial strain, has no part in it.
     #[inline]
     pub fn new(evaluation: &Evaluation, resultants: &[Resultants; 3], torques: &[f64; 3]) -> Self {
         let mut all = Self::default();
@@ -308,8 +311,8 @@ pub struct PointCouplings {
 }
 
 impl Couplings {
-    /// Of a function of the strains with the derivatives `resultants` and the second derivatives `rigidities`; `torque_by_twist` is
-    /// what `Σ_m torques_m/(l J0_m)` has by `T`, N m.
+    /// Of a function of the strains with the derivatives `resultants` and the second derivatives `rigidities`;
+    /// `torque_by_twist` is what `Σ_m torques_m/(l J0_m)` has by `T`, N m.
     #[inline]
     pub fn new(
         evaluation: &Evaluation,

@@ -1,10 +1,13 @@
 //! How the error that the lengths of steps cause grows over a step (MECHANICS 7.8).
 //!
-//! The exact motion solves the equations of a step but for a remainder of third order in its length. So does the computed one, without that remainder:
-//! their difference `ε` follows from it by the tangent of the step, which has been factorized for the step itself. The residual of a motion that is moved by
-//! a small multiple of `ε` has all that this takes: one evaluation of the forces and one back-substitution.
+//! The exact motion solves the equations of a step but for a remainder of third order in its length. So does the
+//! computed one, without that remainder: their difference `ε` follows from it by the tangent of the step, which has
+//! been factorized for the step itself. The residual of a motion that is moved by a small multiple of `ε` has all that
+//! this takes: one evaluation of the forces and one back-substitution.
 
-use super::scratch::{Scratch, Start, configurations, time_step};
+mod source;
+
+use super::scratch::{Scratch, Start};
 use super::{Span, Step};
 use crate::mechanics::beam::configuration::Dissipation;
 use crate::mechanics::constraint::joint::JointGradient;
@@ -13,15 +16,16 @@ use crate::mechanics::state::time_error::{Passed, TimeError};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
-use crate::mechanics::system::middle_forces::{Mean, Middle, Sight};
+use crate::mechanics::system::middle_forces::Middle;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::projection::Projection;
 
-/// How far the neighboring motion is moved, as [`System::motion_size`] measures: so little that it is linear (what its square adds is round-off of axial strains), so
-/// much that what Newton has left of the step does not matter.
+/// How far the neighboring motion is moved, as [`System::motion_size`] measures: so little that it is linear (what its
+/// square adds is round-off of axial strains), so much that what Newton has left of the step does not matter.
 const REACH: f64 = 1e-5;
-/// Largest multiple of the error that the neighboring motion is moved by: an error this far below [`REACH`] is round-off.
+/// Largest multiple of the error that the neighboring motion is moved by: an error this far below [`REACH`] is
+/// round-off.
 const LARGEST_MULTIPLE: f64 = 1e3;
 /// An error of this many times the system's size is not carried on: it says all that it can.
 const LARGEST_ERROR: f64 = 1e3;
@@ -31,9 +35,11 @@ const TRAPEZOIDAL: f64 = 1.0 / 12.0;
 const MIDPOINT: f64 = 1.0 / 24.0;
 /// How far the mean of two ends is from the middle, of `h²` times the second derivative.
 const MEAN: f64 = 1.0 / 8.0;
-/// Velocities are cleared of what no step resolves every so many steps: of it every solution with the tangent, which is that of a neighboring point, leaves some.
+/// Velocities are cleared of what no step resolves every so many steps: of it every solution with the tangent, which is
+/// that of a neighboring point, leaves some.
 const CLEARING: u64 = 4;
-/// Least weight of the strain rates in the dissipation with which the error of what the step does not resolve stays bounded: that of a spectral radius of 0.95 is more.
+/// Least weight of the strain rates in the dissipation with which the error of what the step does not resolve stays
+/// bounded: that of a spectral radius of 0.95 is more.
 const LEAST_DAMPING: f64 = 0.01;
 
 /// Scratch memory of the estimate; nothing in it outlives a step.
@@ -96,7 +102,8 @@ enum Found {
     Error,
     /// The error is too large to be carried on, and stays that of the start.
     Unbounded,
-    /// The tangent gives no accurate solution: the error stays that of the start, and its source is found anew from here on.
+    /// The tangent gives no accurate solution: the error stays that of the start, and its source is found anew from
+    /// here on.
     Nothing,
 }
 
@@ -114,7 +121,8 @@ pub struct Taken<'a> {
 }
 
 impl Estimator {
-    /// For `system`; none where its elements tell no rates of their strains, or where the numerical dissipation is too small to hold the error of what no step resolves.
+    /// For `system`; none where its elements tell no rates of their strains, or where the numerical dissipation is too
+    /// small to hold the error of what no step resolves.
     pub fn new(system: &System, spectral_radius: f64) -> Option<Self> {
         let damping = Dissipation::new(spectral_radius).by_last_step;
         (system.mesh.tells_strain_rates() && damping >= LEAST_DAMPING).then(|| Self::of(system))
@@ -138,9 +146,10 @@ impl Estimator {
         }
     }
 
-    /// `S⁻¹ M h³ j/12` (MECHANICS 7.9), 2 sizes as [`System::motion_sizes`] has them: the error that the step `taken` adds by itself, without the part that it does not resolve. None: it is the
-    /// first step of a motion. Not-a-number: the tangent gives no accurate solution. Behind a jump `h j` is the jump of the accelerations.
-    /// `right` is scratch memory, as long as coordinates and conditions.
+    /// `S⁻¹ M h³ j/12` (MECHANICS 7.9), 2 sizes as [`System::motion_sizes`] has them: the error that the step `taken`
+    /// adds by itself, without the part that it does not resolve. None: it is the first step of a motion. Not-a-number:
+    /// the tangent gives no accurate solution. Behind a jump `h j` is the jump of the accelerations. `right` is scratch
+    /// memory, as long as coordinates and conditions.
     pub fn own_error(&mut self, system: &System, kkt: &mut Kkt, taken: &Taken, right: &mut [f64]) -> Option<[f64; 2]> {
         if taken.state.prediction.known == 0 {
             return None;
@@ -166,8 +175,9 @@ impl Estimator {
         solution.exchange(&mut self.scratch);
     }
 
-    /// Carries the error of the start of the step `taken` to its end, for [`Self::arrive`]; called within [`Self::borrow_from`]. `kkt` has the tangent of the step. `velocity` (as long as the
-    /// coordinates) and `right` (coordinates and conditions) are scratch memory; `right` must not change until the arrival.
+    /// Carries the error of the start of the step `taken` to its end, for [`Self::arrive`]; called within
+    /// [`Self::borrow_from`]. `kkt` has the tangent of the step. `velocity` (as long as the coordinates) and `right`
+    /// (coordinates and conditions) are scratch memory; `right` must not change until the arrival.
     pub fn carry(&mut self, system: &System, kkt: &mut Kkt, taken: &Taken, [velocity, right]: [&mut Vec<f64>; 2]) {
         velocity.clone_from(&taken.state.time_error.velocity);
         self.source_size = 0.0;
@@ -201,10 +211,12 @@ impl Estimator {
         self.depart(system, taken, velocity, right, (multiple, mean));
         let Self { filtered, jerk, scratch, start, joint_frames, .. } = self;
         let (coordinates, state, start) = (jerk.len(), taken.state, start.beside(taken.state));
-        // All that the step adds to its dissipation is in the strain rates of the neighboring motion, which `depart` sets.
+        // All that the step adds to its dissipation is in the strain rates of the neighboring motion, which `depart`
+        // sets.
         let dissipation = taken.dissipation;
         if error.known > 0 {
-            // Joints act where they are at the mean of both ends, (h²/8)·acceleration from where they are at the middle of the time.
+            // Joints act where they are at the mean of both ends, (h²/8)·acceleration from where they are at the middle
+            // of the time.
             let own = taken.solution.increment.iter().zip(&taken.state.velocity);
             let means = start.q.iter().zip(&scratch.increment).map(|(q, increment)| q + 0.5 * increment);
             let at_middle = &mut right[..coordinates];
@@ -229,48 +241,17 @@ impl Estimator {
         Ok(Found::Error)
     }
 
-    /// Sets the derivatives of the motion, and the source: what the exact motion leaves of the equation of the step, but for the part in strains, over the mass.
-    fn find_source(&mut self, system: &System, taken: &Taken, error: &TimeError, mean: f64) {
-        let h = taken.span.step;
-        if error.known < 1 || taken.state.prediction.known < 1 {
-            for list in [&mut self.jerk, &mut self.filtered, &mut self.snap] {
-                list.fill(0.0);
-            }
-            self.source_size = 0.0;
-            return;
-        }
-        self.find_jerk(taken, mean);
-        let cube = h * h * h;
-        let Self { jerk, snap, filtered: source, .. } = self;
-        let before = error.jerk.iter().zip(&error.snap);
-        let found = snap.iter_mut().zip(&mut *source);
-        for ((jerk, (jerk_before, snap_before)), (snap, source)) in jerk.iter().zip(before).zip(found) {
-            *snap = if error.known < 2 { 0.0 } else { (jerk - jerk_before) / mean };
-            // Differences lie half a step and a whole one behind the middle of this step. What turns would be accelerated by derivatives that lag.
-            let ahead = if error.known < 3 { *snap } else { 2.0 * *snap - snap_before };
-            *source = cube * (0.5 * h * MIDPOINT * ahead - TRAPEZOIDAL * in_middle(*jerk, *snap, h));
-        }
-        self.source_size = system.motion_size(&self.filtered[..self.jerk.len()]);
-    }
-
-    /// Sets the third derivatives of the motion, 1/s³ each: the change of the mean acceleration since the last step over `mean` s, the time between the middles of both.
-    fn find_jerk(&mut self, taken: &Taken, mean: f64) {
-        let (h, state) = (taken.span.step, taken.state);
-        let motion = taken.solution.increment.iter().zip(&state.velocity).zip(&state.prediction.acceleration);
-        for (jerk, ((increment, velocity), before)) in self.jerk.iter_mut().zip(motion) {
-            *jerk = (2.0 * (increment / h - velocity) / h - before) / mean;
-        }
-    }
-
-    /// By which multiple of the error the neighboring motion is moved; none where the error has no bound any more. `error` are its positions and its velocities.
+    /// By which multiple of the error the neighboring motion is moved; none where the error has no bound any more.
+    /// `error` are its positions and its velocities.
     fn multiple(&self, system: &System, error: [&[f64]; 2], h: f64) -> Option<f64> {
         let [position, velocity] = error.map(|list| system.motion_size(list));
         let size = position.max(h * velocity).max(self.source_size);
         (size < LARGEST_ERROR).then(|| (system.smooth_reach(REACH) / size.max(f64::MIN_POSITIVE)).min(LARGEST_MULTIPLE))
     }
 
-    /// Sets the start of the neighboring motion, its increment as predicted, and the momentum over the step that its momentum at the start and the source have beyond the motion's,
-    /// without the multiple. `velocity` are the velocities of the error.
+    /// Sets the start of the neighboring motion, its increment as predicted, and the momentum over the step that its
+    /// momentum at the start and the source have beyond the motion's, without the multiple. `velocity` are the
+    /// velocities of the error.
     fn depart(
         &mut self,
         system: &System,
@@ -288,13 +269,15 @@ impl Estimator {
         for (list, change) in [(&mut start.q, &*error.position), (&mut start.velocity, velocity)] {
             list.iter_mut().zip(change).for_each(|(value, change)| *value += multiple * change);
         }
-        // The mass is that of the start for both: a winch changes it over the step, by a share that is of higher order in the source.
+        // The mass is that of the start for both: a winch changes it over the step, by a share that is of higher order
+        // in the source.
         let moved = right.iter_mut().zip(velocity).zip(&self.filtered);
         moved.for_each(|((moved, velocity), source)| *moved = h * velocity + source);
         let coordinates = velocity.len();
         let drives = &state.prescribed.drives;
         system.mass_times(drives, &right[..coordinates], &mut self.filtered[..coordinates]);
-        // Strains at the middle are taken as the means of the ends, and the dissipation is none of the exact motion: both show in the changes of the strain rates.
+        // Strains at the middle are taken as the means of the ends, and the dissipation is none of the exact motion:
+        // both show in the changes of the strain rates.
         if error.known > 0 {
             let Dissipation { by_last_step, by_start } = dissipation;
             let by_change = by_last_step + MEAN * h / mean;
@@ -324,56 +307,9 @@ impl Estimator {
         }
     }
 
-    /// Adds to the source, in momentum, by what forces over the step differ from those in the middle of its time. The scratch memory still has the configurations of the step.
-    fn add_lags(&mut self, system: &System, taken: &Taken, mean: f64) {
-        let Taken { state, dissipation, span: Span { step: h, .. }, solution, .. } = *taken;
-        let (error, from) = (&state.time_error, Start::from(state));
-        let Self { lags: Lags { frames, middles, relative }, scratch, filtered, jerk, .. } = self;
-        let [start, middle, end] = configurations(
-            system,
-            from,
-            [&scratch.q_middle, &scratch.q_end],
-            [&scratch.frames_start, &scratch.frames_middle, &scratch.frames_end],
-            [&solution.prescribed_middle, &solution.prescribed_end],
-        );
-        let known = (&*scratch.predicted_rates, &scratch.starts);
-        let step = time_step(from, [&start, &end], &solution.increment, known, h, dissipation);
-        relative.clone_from(&error.relative);
-        middles.clear();
-        middles.resize(relative.len(), Middle::default());
-        system.each_mean_of_step(&middle, &step, |number, Mean { value, rate, tension, force }| {
-            let before = &error.relative[number];
-            let difference =
-                |least: u8, now: f64, before: f64| if error.known < least { 0.0 } else { (now - before) / mean };
-            let acceleration = difference(1, rate, before.rate);
-            let jerk = difference(2, acceleration, before.acceleration);
-            let first = difference(1, force, before.forces[0]);
-            let second = difference(2, first, before.forces[1]);
-            let bend = if error.known < 3 { second } else { 2.0 * second - before.forces[2] };
-            let value = value - MEAN * h * h * in_middle(acceleration, jerk, h);
-            middles[number] = Middle { value, rate: rate - MIDPOINT * h * h * jerk, bend, tension };
-            relative[number] = Passed { rate, acceleration, forces: [force, first, second] };
-        });
-        if error.known < 1 {
-            return;
-        }
-        let factor = 0.5 * h * h;
-        let source = &mut filtered[..jerk.len()];
-        system.add_lags_of_springs(&middle, &step, middles, factor, source);
-        system.add_lagging_forces(&middle, Sight::Step(&step), &solution.excitation, factor, source);
-        for (q, (increment, velocity)) in
-            scratch.q_middle.iter_mut().zip(solution.increment.iter().zip(&state.velocity))
-        {
-            *q -= 2.0 * MEAN * h * (increment / h - velocity);
-        }
-        let (q, prescribed) = (&scratch.q_middle, &solution.prescribed_middle);
-        let middle = scratch.frames_middle.at_frames(system, frames, q, state, prescribed);
-        system.add_lagging_forces(&middle, Sight::Middle(middles), &solution.excitation, -factor, source);
-        system.subtract_turned_springs(&middle, middles, factor, source);
-    }
-
-    /// Turns `right`, the correction of the neighboring motion, into the change of the error's positions, and its multipliers; sets its velocities and accelerations at the end of
-    /// the step, where `velocity` are those at its start.
+    /// Turns `right`, the correction of the neighboring motion, into the change of the error's positions, and its
+    /// multipliers; sets its velocities and accelerations at the end of the step, where `velocity` are those at its
+    /// start.
     fn measure(&mut self, taken: &Taken, velocity: &[f64], right: &mut [f64], multiple: f64) {
         let h = taken.span.step;
         let Self { filtered, jerk, snap, scratch: Scratch { increment, impulses: moved_impulses, .. }, .. } = self;
@@ -394,7 +330,8 @@ impl Estimator {
         self.step = h;
     }
 
-    /// Sets `error`, that of the start of the step that [`Self::carry`] was called with, to that of its end, `right` being as that call has left it.
+    /// Sets `error`, that of the start of the step that [`Self::carry`] was called with, to that of its end, `right`
+    /// being as that call has left it.
     pub fn arrive(&mut self, system: &System, solution: &Scratch, error: &mut TimeError, right: &[f64]) {
         let (changes, multipliers) = right.split_at(self.jerk.len());
         if self.scratch.is_viscous {
@@ -407,7 +344,8 @@ impl Estimator {
                 error.acceleration.clone_from(&self.scratch.increment);
                 for (rate, change) in error.rates.iter_mut().zip(changes) {
                     let mean = change / self.step;
-                    // The error of a strain that viscosity stops within far less than a step alternates: the mean of two does not.
+                    // The error of a strain that viscosity stops within far less than a step alternates: the mean of
+                    // two does not.
                     *rate = if error.known == 0 { mean } else { 0.5 * (*rate + mean) };
                 }
                 error.multipliers.copy_from_slice(multipliers);
@@ -425,8 +363,9 @@ impl Estimator {
         change_charts(system, solution, error);
     }
 
-    /// Projects the velocities of the error at the end of a step, `next`, as `projection` has just projected those of the motion, on those that the constraints allow the
-    /// neighboring motion: `G ε_v = −(∂G/∂q ε) v`. The matrix of `kkt` is that of the projection where it was solved with; `frames` and `right` are scratch memory.
+    /// Projects the velocities of the error at the end of a step, `next`, as `projection` has just projected those of
+    /// the motion, on those that the constraints allow the neighboring motion: `G ε_v = −(∂G/∂q ε) v`. The matrix of
+    /// `kkt` is that of the projection where it was solved with; `frames` and `right` are scratch memory.
     pub fn project(
         &mut self,
         system: &System,
@@ -455,8 +394,9 @@ impl Estimator {
         }
     }
 
-    /// Takes out of `velocity`, the error of the velocities at the start of a step, what the step does not resolve; what `G` makes of it stays. `F = S⁻¹ M` is 1 where the
-    /// motion is slow for the step, 0 where it is far too fast, and `2 F - F²` leaves of the slow one all but the fourth order.
+    /// Takes out of `velocity`, the error of the velocities at the start of a step, what the step does not resolve;
+    /// what `G` makes of it stays. `F = S⁻¹ M` is 1 where the motion is slow for the step, 0 where it is far too fast,
+    /// and `2 F - F²` leaves of the slow one all but the fourth order.
     fn clear(
         &mut self,
         system: &System,
@@ -488,7 +428,8 @@ fn in_middle(jerk: f64, snap: f64, h: f64) -> f64 {
     jerk + 0.5 * h * snap
 }
 
-/// Takes `error` from the charts of the start of a step to those of its end, where a turn of a tangent alone turns no section.
+/// Takes `error` from the charts of the start of a step to those of its end, where a turn of a tangent alone turns no
+/// section.
 fn change_charts(system: &System, solution: &Scratch, error: &mut TimeError) {
     let TimeError { position, velocity, rates, acceleration, .. } = error;
     for list in [position, velocity, rates, acceleration].into_iter().filter(|list| !list.is_empty()) {
