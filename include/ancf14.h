@@ -64,7 +64,8 @@ typedef enum {
    */
   ANCF14_OK,
   /*
-   The simulation, or the state, is NULL, was freed, or is another pointer; or the state belongs to another model. Nothing was touched.
+   The simulation, or the state, is NULL, was freed, or is another pointer; or the state belongs to another model.
+   Nothing was touched.
    */
   ANCF14_BAD_HANDLE,
   /*
@@ -294,11 +295,12 @@ extern "C" {
 const char *ancf14_version(void);
 
 /*
- Loads the model file at `path`. `overrides` is NULL, or changes numbers and words of the file as --set of the command line does,
- one KEY=VALUE a line: "arm.elements=16\narm.strain=small".
+ Loads the model file at `path`. `overrides` is NULL, or changes numbers and words of the file as --set of the
+ command line does, one KEY=VALUE a line: "arm.elements=16\narm.strain=small".
 
- Returns NULL where the file cannot be read or is wrong; `error` then has the reason, all mistakes of the file with their lines, cut to
- `size` bytes, a zero byte included. `error` may be NULL; 4096 bytes are enough for most files. Free the simulation with ancf14_free.
+ Returns NULL where the file cannot be read or is wrong; `error` then has the reason, all mistakes of the file with
+ their lines, cut to `size` bytes, a zero byte included. `error` may be NULL; 4096 bytes are enough for most files.
+ Free the simulation with ancf14_free.
  */
 ancf14_simulation *ancf14_load_file(const char *path,
                                     const char *overrides,
@@ -306,7 +308,8 @@ ancf14_simulation *ancf14_load_file(const char *path,
                                     size_t size);
 
 /*
- Loads a model from memory: `model` is the text of a model file, `name` what messages call it. All else is as in ancf14_load_file.
+ Loads a model from memory: `model` is the text of a model file, `name` what messages call it. All else is as in
+ ancf14_load_file.
  */
 ancf14_simulation *ancf14_load_text(const char *name,
                                     const char *model,
@@ -320,14 +323,15 @@ ancf14_simulation *ancf14_load_text(const char *name,
 void ancf14_free(ancf14_simulation *simulation);
 
 /*
- The reason why the last failed call with this simulation failed: a sentence with numbers that says what to do. It is empty if no call
- has failed, and never NULL. It is valid until the next call that fails.
+ The reason why the last failed call with this simulation failed: a sentence with numbers that says what to do. It is
+ empty if no call has failed, and never NULL. It is valid until the next call that fails.
  */
 const char *ancf14_last_error(ancf14_simulation *simulation);
 
 /*
- The oldest warning that was not fetched yet, or NULL if there is none. A warning is a sentence about results that should not be
- trusted, or about a model that is legal but probably not what was meant. It is valid until the next call of this function.
+ The oldest warning that was not fetched yet, or NULL if there is none. A warning is a sentence about results that
+ should not be trusted, or about a model that is legal but probably not what was meant. It is valid until the next
+ call of this function.
  */
 const char *ancf14_next_warning(ancf14_simulation *simulation);
 
@@ -337,8 +341,8 @@ const char *ancf14_next_warning(ancf14_simulation *simulation);
 int ancf14_variable_count(ancf14_simulation *simulation);
 
 /*
- The number of the variable called `name`, for instance `tip.displacement[3]`; -1: there is none, and ancf14_last_error suggests the
- nearest name. The numbers of a model file do not change.
+ The number of the variable called `name`, for instance `tip.displacement[3]`; -1: there is none, and
+ ancf14_last_error suggests the nearest name. The numbers of a model file do not change.
  */
 int ancf14_find(ancf14_simulation *simulation,
                 const char *name);
@@ -350,7 +354,8 @@ const char *ancf14_variable_name(ancf14_simulation *simulation,
                                  int variable);
 
 /*
- The SI unit of a variable, "N.m" or "rad/s"; empty: it has none; NULL: there is no such variable. It is valid as long as the simulation.
+ The SI unit of a variable, "N.m" or "rad/s"; empty: it has none; NULL: there is no such variable. It is valid as
+ long as the simulation.
  */
 const char *ancf14_variable_unit(ancf14_simulation *simulation,
                                  int variable);
@@ -372,28 +377,29 @@ ancf14_kind ancf14_variable_kind(ancf14_simulation *simulation, int variable);
 ancf14_status ancf14_get(ancf14_simulation *simulation, int variable, double *value);
 
 /*
- Sets a variable: a parameter before ancf14_initialize, a tunable parameter or an input at any time. An input keeps its value until it
- is set again. A value that is refused leaves the old one.
+ Sets a variable: a parameter before ancf14_initialize, a tunable parameter or an input at any time. An input keeps
+ its value until it is set again. A value that is refused leaves the old one.
  */
 ancf14_status ancf14_set(ancf14_simulation *simulation,
                          int variable,
                          double value);
 
 /*
- Builds the mechanism from the parameters as set, and finds its initial state, at t = 0 or at the time of the state that the model begins with. After a failure other parameters can be tried.
+ Builds the mechanism from the parameters as set, and finds its initial state, at t = 0 or at the time of the state
+ that the model begins with. After a failure other parameters can be tried.
  */
 ancf14_status ancf14_initialize(ancf14_simulation *simulation);
 
 /*
- Advances to `time`, s, in the internal steps of the model file. Times that are multiples of its simulation.step give the bits of
- `ancf14 run`; compute them as k * step, not as a running sum.
+ Advances to `time`, s, in the internal steps of the model file. Times that are multiples of its simulation.step give
+ the bits of `ancf14 run`; compute them as k * step, not as a running sum.
  */
 ancf14_status ancf14_advance(ancf14_simulation *simulation,
                              double time);
 
 /*
- Ends the run, so that ancf14_next_warning has those on the run as a whole: how far results are off because of the length of the steps.
- Values can still be read.
+ Ends the run, so that ancf14_next_warning has those on the run as a whole: how far results are off because of the
+ length of the steps. Values can still be read.
  */
 ancf14_status ancf14_finish(ancf14_simulation *simulation);
 
@@ -408,7 +414,8 @@ ancf14_status ancf14_reset(ancf14_simulation *simulation);
 double ancf14_time(ancf14_simulation *simulation);
 
 /*
- The time at which a run ends by the model file, s; NaN if the handle is not a live simulation. Nothing keeps a program from advancing further.
+ The time at which a run ends by the model file, s; NaN if the handle is not a live simulation. Nothing keeps a
+ program from advancing further.
  */
 double ancf14_stop_time(ancf14_simulation *simulation);
 
@@ -418,13 +425,14 @@ double ancf14_stop_time(ancf14_simulation *simulation);
 double ancf14_output_step(ancf14_simulation *simulation);
 
 /*
- Copies all that changes: parameters, inputs, time and motion; NULL where that is not possible. Free the copy with ancf14_free_state.
+ Copies all that changes: parameters, inputs, time and motion; NULL where that is not possible. Free the copy with
+ ancf14_free_state.
  */
 ancf14_state *ancf14_save(ancf14_simulation *simulation);
 
 /*
- Goes back to a copy, also after a failed step. The copy stays; it may come from another simulation of the same model with the same
- overrides. What follows has the same bits each time.
+ Goes back to a copy, also after a failed step. The copy stays; it may come from another simulation of the same model
+ with the same overrides. What follows has the same bits each time.
  */
 ancf14_status ancf14_restore(ancf14_simulation *simulation,
                              ancf14_state *state);
@@ -571,7 +579,8 @@ fmi2Status fmi2SerializeFMUstate(fmi2Component c,
  Makes a copy from bytes, over an earlier copy if there is one (section 2.1.8).
 
  # Safety
- `c` is a live instance; `serializedState` has `size` bytes; `FMUstate` points to NULL or to a copy made by this library.
+ `c` is a live instance; `serializedState` has `size` bytes; `FMUstate` points to NULL or to a copy made by this
+ library.
  */
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component c,
                                    const fmi2Byte *serializedState,
