@@ -22,7 +22,7 @@ const SLIDING: f64 = 1.0 - 1e-9;
 impl DryFriction {
     /// With the stiffness `stiffness` while both sides stick, N/m or N m/rad.
     pub fn with_stiffness(limit: f64, stiffness: f64) -> Self {
-        // Without a limit there is no force, whatever the displacement.
+        // Compilers divide first and choose afterwards: not by 0, which hosts may trap.
         Self { limit, largest: if limit > 0.0 { limit / stiffness } else { 1.0 } }
     }
 
@@ -33,7 +33,8 @@ impl DryFriction {
 
     /// The displacement after a way of `way` from the displacement `before`, m or rad.
     pub fn displaced(&self, before: f64, way: f64) -> f64 {
-        (before + way).clamp(-self.largest, self.largest)
+        // Nothing sticks without a limit: a brake that begins to act finds its sides free of force.
+        if self.limit > 0.0 { (before + way).clamp(-self.largest, self.largest) } else { 0.0 }
     }
 
     /// Force after a way, N or N m.
@@ -111,10 +112,11 @@ mod tests {
         assert!(own.slides(-0.005, -0.1) && !own.slides(-0.005, 0.1));
     }
 
-    /// Without a limit it does nothing.
+    /// Without a limit it does nothing, and remembers nothing.
     #[test]
     fn no_limit_no_force() {
         let own = DryFriction::with_stiffness(0.0, 600.0);
+        assert_eq!(own.displaced(0.0, 0.3), 0.0);
         assert_eq!(own.force(0.0, 0.3), 0.0);
         assert_eq!(own.force_over(0.0, 0.3, 1.0, 0.1), [0.0, 0.0]);
     }

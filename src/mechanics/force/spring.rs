@@ -166,7 +166,7 @@ impl Spring {
     /// The force of its damper alone.
     fn viscous(&self, coordinate: &RelativeCoordinate, c: &Configuration, passage: &Passage) -> f64 {
         match &self.law {
-            Some(law) => self.law_force(law, coordinate, c, passage).viscous,
+            Some(law) => self.force_without_memory(law, coordinate, c, passage).viscous,
             None => self.damping * self.rate(coordinate, c, passage),
         }
     }

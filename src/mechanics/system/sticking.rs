@@ -38,25 +38,16 @@ impl System {
         self.springs.iter().filter_map(|spring| spring.law.as_ref()).any(|law| law.coulomb() != 0.0)
     }
 
-    /// Elastic ways of dry friction before it slides, over the system's size or rad.
-    fn sticking_ways(&self) -> impl Iterator<Item = f64> + '_ {
-        self.springs.iter().filter_map(|spring| {
+    /// Changes of coordinates up to `largest`, over the system's size or rad, of which forces are smooth functions: dry
+    /// friction turns from sticking to sliding within its elastic way.
+    pub fn smooth_reach(&self, largest: f64) -> f64 {
+        let ways = self.springs.iter().filter_map(|spring| {
             let dry = spring.law.as_ref()?.dry().filter(|dry| dry.limit > 0.0)?;
             let measure = self.relative_coordinates[spring.coordinate].measure;
             let is_angle = matches!(measure, Measure::Angle(_) | Measure::Rotation(_));
             Some(if is_angle { dry.largest } else { dry.largest / self.size })
-        })
-    }
-
-    /// The largest of them; 0: nothing sticks.
-    pub fn sticking_way(&self) -> f64 {
-        self.sticking_ways().fold(0.0, f64::max)
-    }
-
-    /// Changes of coordinates up to `largest`, over the system's size or rad, of which forces are smooth functions: dry
-    /// friction turns from sticking to sliding within its elastic way.
-    pub fn smooth_reach(&self, largest: f64) -> f64 {
-        self.sticking_ways().fold(largest, |reach, way| reach.min(SMOOTH_SHARE * way))
+        });
+        ways.fold(largest, |reach, way| reach.min(SMOOTH_SHARE * way))
     }
 
     /// The system with the dry part of its friction taken off.

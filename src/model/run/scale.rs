@@ -17,9 +17,6 @@ const CONSTANT: f64 = 1e-6;
 /// A quantity below this share of what its unit amounts to in the system is zero: the round-off of large numbers that
 /// cancel.
 const ZERO: f64 = 1e-9;
-/// Elastic ways of dry friction that a position or an angle at rest moves by: one at each side, and what slides
-/// when a load is there at once.
-const STICKING: f64 = 3.0;
 /// Strains and quaternions: a strain of 1e-12 is round-off.
 const PURE_NUMBER: f64 = 1e-3;
 
@@ -36,8 +33,6 @@ pub struct Measures {
     pub gravity: f64,
     /// What its beams do.
     pub beams: Beams,
-    /// Largest elastic way of dry friction, over the extent or rad: sides that move by no more than that stick.
-    pub sticking: f64,
 }
 
 /// What quantities of beams amount to.
@@ -52,12 +47,7 @@ pub struct Beams {
 impl Measures {
     /// The scale of a quantity with this unit that ranges as `span`; 0: it is zero.
     pub fn scale(&self, unit: &str, span: Span) -> f64 {
-        let way = match unit {
-            "m" => self.sticking * self.size,
-            "rad" => self.sticking,
-            _ => 0.0,
-        };
-        let scale = if span.range <= STICKING * way { 0.0 } else { span.scale(self.natural(unit)) };
+        let scale = span.scale(self.natural(unit));
         if scale > 0.0 { scale.max(self.beams.relieved.of(unit)) } else { 0.0 }
     }
 

@@ -170,7 +170,6 @@ impl Simulation {
             energy: self.accuracy.energy(&self.columns),
             gravity: system.gravity.norm(),
             beams: self.watch.beams(),
-            sticking: system.sticking_way(),
         }
     }
 

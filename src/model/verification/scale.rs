@@ -41,7 +41,6 @@ mod tests {
         energy: 100.0,
         gravity: 9.81,
         beams: Beams { of_unit_strain: NONE, relieved: NONE },
-        sticking: 0.0,
     };
 
     fn tally(values: [f64; 2]) -> Tally {

@@ -39,6 +39,22 @@ pub fn irregular(index: usize) -> f64 {
     0.5 + (0.3 + 0.618_033_988_749_895 * index as f64).fract()
 }
 
+/// The componentwise backward error `max |r|_i / (|A||x| + |b|)_i` (Oettli-Prager) of the remainder `r` and the sizes
+/// of the terms of its rows; infinite when not finite.
+fn largest_share(remainder: &[f64], magnitude: &[f64]) -> f64 {
+    let mut error = 0.0_f64;
+    for (remainder, magnitude) in remainder.iter().zip(magnitude) {
+        if !remainder.is_finite() {
+            return f64::INFINITY;
+        }
+        if *magnitude > 0.0 {
+            // Compilers divide first and choose afterwards: not by 0, which hosts may trap.
+            error = error.max(remainder.abs() / magnitude.max(f64::MIN_POSITIVE));
+        }
+    }
+    error
+}
+
 /// Whether a matrix can be solved with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Regularity {

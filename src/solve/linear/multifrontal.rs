@@ -13,7 +13,9 @@ use super::frontal_matrix::{
 };
 use super::transposed::{Room, solve_transposed};
 use super::units::Units;
-use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular};
+use super::{
+    BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, SMALLEST_SOLUTION, Singular, irregular, largest_share,
+};
 use crate::math::blocks::{Block, Blocks};
 use std::ops::Range;
 
@@ -278,33 +280,23 @@ impl Multifrontal {
         }
     }
 
-    /// Solves the renumbered, transposed system for `work`, in place.
-    fn substitute_transposed(&mut self) {
-        let Self { fronts, factors, rows, work, column, .. } = self;
-        for front in &fronts.fronts {
-            let (shape, own) = (front.shape(), front.pivots.range());
-            let column = &mut column[..shape.pivots + shape.border];
-            column[..shape.pivots].copy_from_slice(&work[own.clone()]);
-            solve_upper_transposed(shape, &factors[front.factors()], column);
-            work[own].copy_from_slice(&column[..shape.pivots]);
-            for run in &fronts.borders[front.border.range()] {
-                add(&mut work[run.to()], &column[run.from()]);
-            }
-        }
-        for front in fronts.fronts.iter().rev() {
-            let (shape, own) = (front.shape(), front.pivots.range());
-            let column = &mut column[..shape.pivots + shape.border];
-            column[..shape.pivots].copy_from_slice(&work[own.clone()]);
-            for run in &fronts.borders[front.border.range()] {
-                column[run.from()].copy_from_slice(&work[run.to()]);
-            }
-            solve_lower_transposed(shape, &factors[front.factors()], &rows[own.clone()], column);
-            work[own].copy_from_slice(&column[..shape.pivots]);
-        }
-    }
-
     /// Solves the renumbered system for `work`, in place.
     fn substitute(&mut self) {
+        self.sweep(solve_lower, |shape, factors, _, column| solve_upper(shape, factors, column));
+    }
+
+    /// Solves the renumbered, transposed system for `work`, in place.
+    fn substitute_transposed(&mut self) {
+        self.sweep(|shape, factors, _, column| solve_upper_transposed(shape, factors, column), solve_lower_transposed);
+    }
+
+    /// Changes `work` front by front: by `first` from the leaves to the root, then by `second` back. Both have the
+    /// shape of a front, its factors, the rows of its pivots and a column of right sides.
+    fn sweep(
+        &mut self,
+        first: impl Fn(Shape, &[f64], &[u16], &mut [f64]),
+        second: impl Fn(Shape, &[f64], &[u16], &mut [f64]),
+    ) {
         let Self { fronts, factors, rows, work, column, .. } = self;
         for front in &fronts.fronts {
             let (shape, own) = (front.shape(), front.pivots.range());
@@ -312,7 +304,7 @@ impl Multifrontal {
             let (pivots, border) = column.split_at_mut(shape.pivots);
             pivots.copy_from_slice(&work[own.clone()]);
             border.fill(0.0);
-            solve_lower(shape, &factors[front.factors()], &rows[own.clone()], column);
+            first(shape, &factors[front.factors()], &rows[own.clone()], column);
             work[own].copy_from_slice(&column[..shape.pivots]);
             for run in &fronts.borders[front.border.range()] {
                 add(&mut work[run.to()], &column[run.from()]);
@@ -325,7 +317,7 @@ impl Multifrontal {
             for run in &fronts.borders[front.border.range()] {
                 column[run.from()].copy_from_slice(&work[run.to()]);
             }
-            solve_upper(shape, &factors[front.factors()], column);
+            second(shape, &factors[front.factors()], &rows[own.clone()], column);
             work[own].copy_from_slice(&column[..shape.pivots]);
         }
     }
@@ -369,16 +361,7 @@ impl Multifrontal {
                 };
             }
         }
-        let mut error = 0.0_f64;
-        for (remainder, magnitude) in remainder.iter().zip(&*magnitude) {
-            if !remainder.is_finite() {
-                return f64::INFINITY;
-            }
-            if *magnitude > 0.0 {
-                error = error.max(remainder.abs() / magnitude.max(f64::MIN_POSITIVE));
-            }
-        }
-        error
+        largest_share(remainder, magnitude)
     }
 }
 

@@ -3,7 +3,10 @@
 use super::columns::Columns;
 use super::transposed::{Room, solve_transposed};
 use super::units::Units;
-use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, Regularity, SMALLEST_SOLUTION, Singular, irregular};
+use super::{
+    BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, ROUND_OFF, Regularity, SMALLEST_SOLUTION, Singular, irregular,
+    largest_share,
+};
 use crate::math::blocks::Blocks;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::PartialPivLuParams;
@@ -255,15 +258,6 @@ impl SparseLu {
                     product.abs() + NEGLIGIBLE * self.scaled[place].abs() * largest / self.scale[row];
             }
         }
-        let mut error = 0.0_f64;
-        for (remainder, magnitude) in self.remainder.iter().zip(&self.magnitude) {
-            if !remainder.is_finite() {
-                return f64::INFINITY;
-            }
-            if *magnitude > 0.0 {
-                error = error.max(remainder.abs() / magnitude.max(f64::MIN_POSITIVE));
-            }
-        }
-        error
+        largest_share(&self.remainder, &self.magnitude)
     }
 }

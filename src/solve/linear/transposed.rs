@@ -1,6 +1,6 @@
 //! Solutions with a transposed matrix, refined as those with the matrix itself: what adjoint equations ask for.
 
-use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, SMALLEST_SOLUTION, Singular};
+use super::{BACKWARD_ERROR, NEGLIGIBLE, REFINEMENTS, SMALLEST_SOLUTION, Singular, largest_share};
 use crate::math::blocks::Blocks;
 
 /// Memory of a solution: its values, what is left of the right side, and the sizes of terms.
@@ -58,14 +58,5 @@ fn backward_error(blocks: &Blocks, vector: &[f64], scale: &impl Fn(usize) -> f64
             }
         }
     }
-    let mut error = 0.0_f64;
-    for (remainder, magnitude) in remainder.iter().zip(&*magnitude) {
-        if !remainder.is_finite() {
-            return f64::INFINITY;
-        }
-        if *magnitude > 0.0 {
-            error = error.max(remainder.abs() / magnitude.max(f64::MIN_POSITIVE));
-        }
-    }
-    error
+    largest_share(remainder, magnitude)
 }
