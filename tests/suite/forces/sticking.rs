@@ -104,7 +104,7 @@ fn friction_holds_in_equilibria() {
 /// What friction remembers is part of a state: after a rollback the same steps end at the same bits.
 #[test]
 fn friction_remembers_over_rollbacks() {
-    let text = block("force = [\"8*sin(7*t)\", 0, 0]", "", "stop = 2\nstep = 0.01");
+    let text = block("force = [\"4*sin(7*t)\", 0, 0]", "", "stop = 2\nstep = 0.01");
     let mut simulation = start(&text);
     advance(&mut simulation, 0.7);
     let snapshot = simulation.snapshot();
