@@ -16,7 +16,7 @@ def swing(results: Results) -> np.float64:
 model = ancf14.Model("crane.toml")
 study = model.sweep(
     {"payload": [200.0, 800.0], "length": np.linspace(1, 5, 9)},
-    {"swing": swing, "pull": "pull.section_force:max"},
+    {"swing": swing, "pull": "pull.section_force[1]:max"},
 )
 print(study["swing"].to_pandas().round(3).to_string())
 

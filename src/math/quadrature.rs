@@ -43,6 +43,33 @@ pub fn collocation(xi: f64) -> [f64; 3] {
     std::array::from_fn(|h| xi / 6.0 * (start[h] + 4.0 * middle[h] + end[h]))
 }
 
+/// `∫_0^ξ (Lagrange polynomial g on the five Gauss points) dξ / w_g`: the shares up to `xi` of what stands for the
+/// whole of [0, 1] at each point; at 1 they are 1.
+pub fn shares_of_five(xi: f64) -> [f64; 5] {
+    if xi == 1.0 {
+        return [1.0; 5];
+    }
+    // The rule itself, over [0, ξ], is exact for the polynomials of degree 4.
+    let inner = FIVE_POINTS.map(|point| point * xi);
+    std::array::from_fn(|g| {
+        let value = |x: f64| -> f64 {
+            let others = FIVE_POINTS.iter().enumerate().filter(|(k, _)| *k != g);
+            others.map(|(_, point)| (x - point) / (FIVE_POINTS[g] - point)).product()
+        };
+        let integral: f64 = inner.iter().zip(FIVE_WEIGHTS).map(|(x, weight)| weight * value(*x)).sum();
+        xi * integral / FIVE_WEIGHTS[g]
+    })
+}
+
+/// [`shares_of_five`] on the three Gauss points.
+pub fn shares_of_three(xi: f64) -> [f64; 3] {
+    if xi == 1.0 {
+        return [1.0; 3];
+    }
+    let integrals = collocation(xi);
+    [0, 1, 2].map(|g| integrals[g] / GAUSS_WEIGHTS[g])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -60,6 +87,24 @@ mod tests {
         for (row, xi) in printed.iter().zip(GAUSS_POINTS) {
             for (value, expected) in collocation(xi).iter().zip(row) {
                 assert!((value - expected).abs() < 1e-15);
+            }
+        }
+    }
+
+    /// Polynomials as high as the points determine must be integrated up to any place; the tolerance is rounding.
+    #[test]
+    fn shares_integrate_polynomials() {
+        for xi in [0.0_f64, 0.2, 0.5, 0.83, 1.0] {
+            let of = |power: i32| xi.powi(power + 1) / f64::from(power + 1);
+            for power in 0..5 {
+                let values = FIVE_POINTS.iter().zip(FIVE_WEIGHTS).map(|(x, weight)| weight * x.powi(power));
+                let sum: f64 = values.zip(shares_of_five(xi)).map(|(value, share)| value * share).sum();
+                assert!((sum - of(power)).abs() < 1e-14);
+            }
+            for power in 0..3 {
+                let values = GAUSS_POINTS.iter().zip(GAUSS_WEIGHTS).map(|(x, weight)| weight * x.powi(power));
+                let sum: f64 = values.zip(shares_of_three(xi)).map(|(value, share)| value * share).sum();
+                assert!((sum - of(power)).abs() < 1e-14);
             }
         }
     }

@@ -16,7 +16,8 @@ export interface Quantity {
 
 export const QUANTITIES: Quantity[] = [
   { word: "stress", label: "Stress (von Mises)", unit: "Pa", signed: false, from: ["stress"] },
-  { word: "section_force", label: "Axial force", unit: "N", signed: true, from: ["section_force"] },
+  { word: "axial_force", label: "Axial force", unit: "N", signed: true, from: ["axial_force"] },
+  { word: "shear_force", label: "Shear force", unit: "N", signed: false, from: ["shear_y", "shear_z"] },
   { word: "bending_moment", label: "Bending moment", unit: "N.m", signed: false, from: ["moment_y", "moment_z"] },
   { word: "moment_y", label: "Moment about y", unit: "N.m", signed: true, from: ["moment_y"] },
   { word: "moment_z", label: "Moment about z", unit: "N.m", signed: true, from: ["moment_z"] },

@@ -6,7 +6,7 @@ import { fraction, placeAt, spotAt, told } from "./pick";
 import type { Player } from "./player";
 
 const LABELS: Record<string, string> = {
-  stress: "stress", section_force: "axial force", torque: "torque", moment_y: "moment y", moment_z: "moment z", axial_strain: "axial strain",
+  stress: "stress", axial_force: "axial force", shear_y: "shear y", shear_z: "shear z", torque: "torque", moment_y: "moment y", moment_z: "moment z", axial_strain: "axial strain",
   curvature_y: "curvature y", curvature_z: "curvature z", torsion: "twist rate", speed: "speed",
 };
 

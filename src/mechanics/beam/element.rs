@@ -1,6 +1,7 @@
 //! What a system asks of an element: ANCF14 and ANCF24 answer alike, each in its own folder.
 
 use super::ancf14::over_step::EndStrains;
+use super::balance::{Balance, Instant};
 use super::configuration::{BeamConfiguration, Passage, Purpose, TimeStep};
 use super::line_load::{ElementForces, LOAD_POINTS, LineLoad};
 use super::resultants::{SectionForces, SectionShape, SectionStrains};
@@ -152,6 +153,10 @@ pub trait BeamElement {
     /// Strain energy, J, and what the damping of the material takes with the velocities `velocity`, W.
     fn energy_and_viscous_power(&self, c: &BeamConfiguration, velocity: &[f64]) -> [f64; 2];
 
+    /// The balance at `instant`; `inside` is the generalized force of all that acts between the nodes but for inertia
+    /// and weight.
+    fn balance(&self, c: &BeamConfiguration, instant: &Instant, inside: &ElementForces) -> Balance;
+
     /// Places (0 to 1) with shares of the length (m) at which a load per length acts.
     fn load_points(&self) -> [(f64, f64); LOAD_POINTS];
 
@@ -182,17 +187,29 @@ pub trait BeamElement {
         0.0
     }
 
+    /// Turn of the section about its tangent from [`Self::section_pose`] to what the torque makes of it, rad; `torque`
+    /// is what sections of the element transmit by equilibrium, N m (MECHANICS 3.12).
+    fn section_turn(&self, c: &BeamConfiguration, xi: f64, _torque: &dyn Fn(f64) -> f64) -> f64 {
+        self.relaxed_turn(c, xi)
+    }
+
     /// The section at `xi` with whatever strains it has.
     fn section_shape(&self, c: &BeamConfiguration, xi: f64) -> SectionShape;
 
     /// Strains of the section at `xi`, which as drawn is `drawn`.
     fn section_strains(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionStrains;
 
-    /// Force and moments of the section at `xi`, which as drawn is `drawn`.
-    fn section_forces(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionForces;
+    /// Strains of the section at `xi` whose elastic stress, with the viscous one of the strains `near[0]`, bears
+    /// `forces`, near `near[1]`, those that its coordinates make; none: the element knows its stress from its
+    /// coordinates only.
+    fn strains_under(&self, _xi: f64, _forces: &SectionForces, _near: [&SectionStrains; 2]) -> Option<SectionStrains> {
+        None
+    }
 
-    /// `G Jt` at `xi` as the element has it, N m².
-    fn torsion_rigidity(&self, xi: f64) -> f64;
+    /// Strains whose elastic forces would be the viscous ones of the section at `xi`, at `instant`.
+    fn viscous_strains(&self, _c: &BeamConfiguration, _xi: f64, _instant: &Instant) -> SectionStrains {
+        SectionStrains::default()
+    }
 
     /// Material twist from its first node to `xi`, undeformed value taken off, rad.
     fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64;

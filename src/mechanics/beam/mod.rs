@@ -2,6 +2,7 @@
 
 pub mod ancf14;
 pub mod ancf24;
+pub mod balance;
 pub mod centerline;
 pub mod configuration;
 pub mod design;

@@ -115,7 +115,7 @@ impl Load {
     }
 
     /// The components `wrench` at a marker, in space: N, N m.
-    fn in_space(&self, marker: &Marker, c: &Configuration, wrench: &Wrench) -> [Vec3; 2] {
+    pub fn in_space(&self, marker: &Marker, c: &Configuration, wrench: &Wrench) -> [Vec3; 2] {
         match self.direction {
             Direction::Global => [wrench.force, wrench.moment],
             Direction::Follower => {

@@ -6,9 +6,19 @@ use super::{Marker, own_velocity};
 use crate::math::Vec3;
 use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_matrix, rotation_vector_near};
 use crate::mechanics::beam::Beam;
-use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
+use crate::mechanics::beam::resultants::{SectionShape, SectionStrains};
 use crate::mechanics::geometry::pose::{PLACE, Pose, angular_velocity};
 use crate::mechanics::marker::configuration::Configuration;
+
+/// The sides of a section, at which something may act.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Facing {
+    /// Towards the start of the beam.
+    Before,
+    /// Towards the end of the beam.
+    #[default]
+    After,
+}
 
 /// A point that is watched.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,15 +31,19 @@ pub struct Sensor {
     pub on_beam: Option<(usize, f64)>,
     /// Who looks: none sees in global axes.
     pub observer: Option<Observer>,
+    /// The side that section forces and strains belong to, at a point of a beam.
+    pub facing: Facing,
     /// Of a point of a beam: the elements that it belongs to, two at an inner node.
     sections: Vec<Section>,
 }
 
 /// A place in an element, with what it is like undeformed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Section {
-    element: usize,
-    xi: f64,
+pub struct Section {
+    /// The element.
+    pub element: usize,
+    /// Place in it, 0 to 1.
+    pub xi: f64,
     drawn: SectionShape,
 }
 
@@ -46,7 +60,7 @@ impl Sensor {
             }
             _ => Vec::new(),
         };
-        Self { marker, drawn: marker.pose(c), on_beam, observer: None, sections }
+        Self { marker, drawn: marker.pose(c), on_beam, observer: None, facing: Facing::default(), sections }
     }
 
     /// The element, with the place in it, whose strains turn the section beyond its marker: of a point inside an
@@ -133,29 +147,15 @@ impl Sensor {
         drawn.cross(&now).norm().atan2(drawn.dot(&now))
     }
 
-    /// The elements that it belongs to.
-    pub fn elements(&self) -> impl Iterator<Item = usize> + '_ {
-        self.sections.iter().map(|section| section.element)
+    /// The sections on both sides of a point of a beam: one where the beam ends or within an element, the side before
+    /// first.
+    pub fn sections(&self) -> &[Section] {
+        &self.sections
     }
 
-    /// The same, each with the place in it, 0 to 1.
+    /// The elements that it belongs to, each with the place in it, 0 to 1.
     pub fn places(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.sections.iter().map(|section| (section.element, section.xi))
-    }
-
-    /// Strains of the section; at an inner node the mean of its two elements'.
-    pub fn strains(&self, c: &Configuration) -> SectionStrains {
-        let mut sum = SectionStrains::default();
-        for section in &self.sections {
-            let own = section.strains(c);
-            let share = 1.0 / self.sections.len() as f64;
-            sum.axial += share * own.axial;
-            sum.torsion += share * own.torsion;
-            for (sum, own) in sum.curvature.iter_mut().zip(own.curvature) {
-                *sum += share * own;
-            }
-        }
-        sum
     }
 }
 
@@ -175,20 +175,6 @@ impl Sensor {
         let own = own_velocity(c, &self.marker, velocity);
         sum + self.marker.pose_q(c).convective(&self.marker, c, &own).column(PLACE)
     }
-
-    /// Force and moments of the section; at an inner node the mean of its two elements'.
-    pub fn section_forces(&self, c: &Configuration) -> SectionForces {
-        let mut sum = SectionForces::default();
-        for section in &self.sections {
-            let own = c.mesh.elements[section.element].section_forces(&c.beams, section.xi, &section.drawn);
-            let share = 1.0 / self.sections.len() as f64;
-            sum.axial += share * own.axial;
-            for (sum, own) in sum.moment.iter_mut().zip(own.moment) {
-                *sum += share * own;
-            }
-        }
-        sum
-    }
 }
 
 impl Section {
@@ -197,7 +183,8 @@ impl Section {
         Self { element, xi, drawn: c.mesh.elements[element].section_shape(&c.beams, xi) }
     }
 
-    fn strains(&self, c: &Configuration) -> SectionStrains {
+    /// Strains that the coordinates make, undeformed values taken off.
+    pub fn strains(&self, c: &Configuration) -> SectionStrains {
         c.mesh.elements[self.element].section_strains(&c.beams, self.xi, &self.drawn)
     }
 }

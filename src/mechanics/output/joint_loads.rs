@@ -5,6 +5,7 @@
 //! (MECHANICS 6).
 
 use crate::math::Vec3;
+use crate::mechanics::beam::balance::Acting;
 use crate::mechanics::constraint::joint::{Held, Holding, Joint};
 use crate::mechanics::force::actuator;
 use crate::mechanics::geometry::pose::{PLACE, moment};
@@ -20,7 +21,7 @@ use std::ops::Range;
 
 /// Which side of a joint or relative coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Side {
+pub(super) enum Side {
     A,
     B,
 }
@@ -39,14 +40,6 @@ pub struct JointLoads<'a> {
     pub passage: &'a Passage<'a>,
     /// Multipliers of all conditions, N or N m.
     pub multipliers: &'a [f64],
-}
-
-/// Force (N) and moment (N m), in global axes, with the place of the force (m).
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Acting {
-    place: Vec3,
-    force: Vec3,
-    moment: Vec3,
 }
 
 impl JointLoads<'_> {
@@ -100,7 +93,7 @@ impl JointLoads<'_> {
         // The frame gives what it receives, with the other sign.
         let mut give = |acting: Acting| {
             force -= acting.force;
-            moment -= acting.moment + (acting.place - origin).cross(&acting.force);
+            moment -= acting.moment + (acting.position - origin).cross(&acting.force);
         };
         for (number, joint) in self.system.joints.iter().enumerate() {
             for (marker, side) in [(&joint.a, Side::A), (&joint.b, Side::B)] {
@@ -156,20 +149,20 @@ impl JointLoads<'_> {
         all.nth(joint).expect("a joint of the system")
     }
 
-    fn of_joint(&self, number: usize, side: Side) -> Acting {
+    pub(super) fn of_joint(&self, number: usize, side: Side) -> Acting {
         let joint = &self.system.joints[number];
         let lambda = &self.multipliers[self.rows(number)];
         let carried = joint.carried(self.c);
         self.acting(joint.sides(&carried), side, &-joint.phi_x(self.c, lambda))
     }
 
-    fn of_spring(&self, number: usize, side: Side) -> Acting {
+    pub(super) fn of_spring(&self, number: usize, side: Side) -> Acting {
         let spring = &self.system.springs[number];
         let coordinate = &self.system.relative_coordinates[spring.coordinate];
         self.acting([&coordinate.a, &coordinate.b], side, &-spring.tension_x(coordinate, self.c, self.passage))
     }
 
-    fn of_actuator(&self, number: usize, side: Side) -> Acting {
+    pub(super) fn of_actuator(&self, number: usize, side: Side) -> Acting {
         let coordinate = &self.system.relative_coordinates[self.system.actuators[number].coordinate];
         let forces = actuator::force_x(coordinate, self.c, self.actuator_effort(number));
         self.acting([&coordinate.a, &coordinate.b], side, &forces)
@@ -181,6 +174,6 @@ impl JointLoads<'_> {
             Side::A => (a.pose(self.c), of_side(forces, 0)),
             Side::B => (b.pose(self.c), of_side(forces, 1)),
         };
-        Acting { place: pose.place, force: own.column(PLACE).into_owned(), moment: moment(&pose, &own) }
+        Acting { position: pose.place, force: own.column(PLACE).into_owned(), moment: moment(&pose, &own) }
     }
 }

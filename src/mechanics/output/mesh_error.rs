@@ -56,10 +56,6 @@ pub struct MeshError {
     pub left_out: f64,
     /// The element that leaves out most; none where nothing is left out.
     pub worst: Option<Worst>,
-    /// Largest bending moment or torque of all beams, N m.
-    pub largest_moment: f64,
-    /// Largest axial force of all beams, N.
-    pub largest_force: f64,
     /// What a strain of 1 amounts to.
     pub of_unit_strain: BeamScale,
     /// What the beams have relieved of their strains without stress.
@@ -114,10 +110,6 @@ impl System {
             error.relieved.add(&relieved);
         }
         error.round_off += 0.5 * own.element.stiffness.axial * length * NO_STRAIN * NO_STRAIN;
-        let ends = |k: usize| own.strains[k].at(-0.5 * length).abs().max(own.strains[k].at(0.5 * length).abs());
-        let [about_z, about_y, torque] = [0, 1, 2].map(|k| own.rigidities[k] * ends(k));
-        error.largest_moment = error.largest_moment.max(about_z.hypot(about_y)).max(torque);
-        error.largest_force = error.largest_force.max(own.force().mean.abs());
         let is_alone = neighborhood.before.is_none() && neighborhood.after.is_none();
         let bending = match is_alone {
             true => self.bent_by_load(own, c),

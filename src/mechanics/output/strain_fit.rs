@@ -138,30 +138,10 @@ pub struct Neighborhood<'a> {
 }
 
 impl<'a> Neighborhood<'a> {
-    /// Of element `number` of `beam`, counted from the beam's start; none of ANCF24.
-    pub fn of(system: &'a System, beam: &Beam, number: usize, c: &Configuration<'a>) -> Option<Self> {
-        let fit = |number: usize| StrainFit::of(system, beam, number, c);
-        let own = fit(number)?;
-        let before = system.is_open(beam, number).then(|| fit(number - 1)).flatten();
-        let after = system.is_open(beam, number + 1).then(|| fit(number + 1)).flatten();
-        Some(Self { before, own, after })
-    }
-
     /// What `difference` makes of the two elements at each end.
     pub fn differences(&self, difference: impl Fn(&StrainFit, &StrainFit) -> f64) -> [Option<f64>; 2] {
         let Self { before, own, after } = self;
         [before.as_ref().map(|before| difference(before, own)), after.as_ref().map(|after| difference(own, after))]
-    }
-
-    /// Half the second derivative of a quantity along the beam, by its means over the three elements; 0 where there are
-    /// fewer.
-    pub fn second_difference(&self, quantity: impl Fn(&StrainFit) -> Line + Copy) -> f64 {
-        match (self.differences(|before, after| rise(before, after, quantity)), self.before, self.after) {
-            ([Some(first), Some(second)], Some(before), Some(after)) => {
-                2.0 * (second - first) / (before.length() + 2.0 * self.own.length() + after.length())
-            }
-            _ => 0.0,
-        }
     }
 }
 
@@ -191,7 +171,8 @@ impl System {
     }
 
     /// Whether something acts at an inner end of element `number` of `beam`, or of a neighbor: the axial force may jump
-    /// there, and these elements show both sides of the jump, however short they are (axial_jump.rs).
+    /// there, and these elements show both sides of the jump, however short they are: the stretch of a node is one
+    /// number.
     pub fn is_beside_jump(&self, beam: &Beam, number: usize) -> bool {
         let mut ends = number.saturating_sub(1)..=number + 2;
         ends.any(|end| 0 < end && end < beam.elements() && !self.is_open(beam, end))

@@ -2,6 +2,7 @@
 
 mod driving;
 mod heating;
+mod watching;
 
 use super::System;
 use super::joint_parts::JointParts;
@@ -33,9 +34,7 @@ use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::input::switch::Hold;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
-use crate::mechanics::marker::observer::Observer;
 use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate};
-use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::State;
 use crate::mechanics::state::lists::Lists;
 
@@ -375,32 +374,6 @@ impl SystemBuilder {
         self.targets.loads.push(HostWrench::default());
     }
 
-    /// Adds a sensor on the section of beam `beam` at `fraction` and returns its number.
-    pub fn add_sensor(&mut self, beam: usize, fraction: f64) -> usize {
-        self.watch(self.section_at(beam, fraction), Some((beam, fraction)))
-    }
-
-    /// Adds a sensor on `marker` and returns its number; `on_beam` is the beam and the fraction of its length where it
-    /// is a point of one.
-    pub fn watch(&mut self, marker: Marker, on_beam: Option<(usize, f64)>) -> usize {
-        let holonomy = vec![0.0; self.system.mesh.branches];
-        let sensor = Sensor::new(&self.system.beams, &self.configuration(&self.frames(), &holonomy), marker, on_beam);
-        self.system.sensors.push(sensor);
-        self.system.sensors.len() - 1
-    }
-
-    /// Number of sensors so far.
-    pub fn sensors(&self) -> usize {
-        self.system.sensors.len()
-    }
-
-    /// Lets an observer who moves with `marker` look at sensor `number`.
-    pub fn observe(&mut self, number: usize, marker: Marker) {
-        let holonomy = vec![0.0; self.system.mesh.branches];
-        let observer = Observer::new(&self.configuration(&self.frames(), &holonomy), marker);
-        self.system.sensors[number].observer = Some(observer);
-    }
-
     /// Largest extent of nodes, bodies and joints as drawn, m, or of a body's own size; 1 of nothing at all.
     fn extent(&self) -> f64 {
         let frames = self.frames();
@@ -465,6 +438,7 @@ impl SystemBuilder {
         system.joints.extend(gear_joints);
         system.collect_breaks();
         system.find_held_nodes();
+        system.find_inner_parts();
         system.set_spread(&q);
         system.set_masses();
         // As drawn, every drive is at zero: what it prescribes at the start is for the start to reach.

@@ -10,6 +10,7 @@ mod finer;
 pub mod frame_cache;
 pub mod gyroscopic;
 mod heating;
+pub mod inner_parts;
 pub mod joint_parts;
 mod labels;
 mod limits;
@@ -28,6 +29,7 @@ pub use switching::Lock;
 pub use winches::Winch;
 
 use self::frame_cache::FrameCache;
+use self::inner_parts::InnerPart;
 use self::joint_parts::JointParts;
 use crate::math::Vec3;
 use crate::math::jet::Jet;
@@ -114,6 +116,8 @@ pub struct System {
     pub breaks: Vec<f64>,
     /// Whether a load, a joint or a spring acts on each node.
     pub held: Vec<bool>,
+    /// Parts that act between the nodes of elements, with the element, in the order of the elements.
+    pub inner_parts: Vec<(usize, InnerPart)>,
 }
 
 /// The largest size of numbers.

@@ -227,6 +227,7 @@ impl Builder<'_> {
             }
             output::Target::Connection(..) | output::Target::Whole(..) => {}
         }
+        (first..self.system.sensors()).for_each(|sensor| self.system.face(sensor, output.side));
         if let Some(marker) = observer {
             (first..self.system.sensors()).for_each(|sensor| self.system.observe(sensor, marker));
         }

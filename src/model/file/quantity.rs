@@ -30,7 +30,7 @@ pub enum Quantity {
     Curvature,
     /// Twist rate minus its undeformed value.
     Torsion,
-    /// Axial force.
+    /// Axial force and shear forces in section axes.
     SectionForce,
     /// Torque and bending moments in section axes.
     SectionMoment,
@@ -193,7 +193,13 @@ pub const QUANTITIES: [Row; 32] = [
         "curvature about the section's y and z, minus the undeformed one",
     ),
     BEAM.row(Quantity::Torsion, "torsion", 1, "rad/m", "twist rate of the section, minus the undeformed one"),
-    BEAM.row(Quantity::SectionForce, "section_force", 1, "N", "axial force, tension positive"),
+    BEAM.row(
+        Quantity::SectionForce,
+        "section_force",
+        3,
+        "N",
+        "axial force, tension positive, and shear forces along the section's y and z, of the part towards the end on the part towards the start",
+    ),
     BEAM.row(
         Quantity::SectionMoment,
         "section_moment",
@@ -274,6 +280,17 @@ impl Quantity {
     pub fn is_transmitted(self) -> bool {
         use Quantity::*;
         matches!(self, ReactionForce | ReactionMoment | AppliedForce | AppliedMoment)
+    }
+
+    /// Whether it is what a section bears, or its strains, which follow from what it bears.
+    pub fn is_of_section(self) -> bool {
+        use Quantity::*;
+        matches!(self, SectionForce | SectionMoment | Stress | AxialStrain | Curvature | Torsion)
+    }
+
+    /// Whether it differs between the sides of a section at which something acts; the largest stress is that of both.
+    pub fn has_sides(self) -> bool {
+        self.is_of_section() && self != Self::Stress
     }
 
     /// Whether it is given along axes that can be chosen: it depends on who looks.

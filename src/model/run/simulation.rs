@@ -1,5 +1,6 @@
 //! A model that runs: the one [`fmi::Model`](crate::fmi::Model) of this library, and what `ancf14 run` drives too.
 
+mod at_instant;
 mod companion;
 mod conclusion;
 mod derivatives;

@@ -2,14 +2,12 @@
 
 mod alternation;
 mod ends;
-mod jumps;
 mod mesh;
 mod stops;
 mod switches;
 
 use self::alternation::AlternationWatch;
 use self::ends::EndWatch;
-use self::jumps::JumpWatch;
 use self::mesh::MeshWatch;
 use self::stops::StopWatch;
 use crate::error::decimal;
@@ -33,7 +31,6 @@ pub struct Watch {
     damps: bool,
     mesh: MeshWatch,
     ends: EndWatch,
-    jumps: JumpWatch,
     alternation: AlternationWatch,
     stops: StopWatch,
 }
@@ -61,12 +58,11 @@ impl Watch {
         frames: &mut FrameCache,
     ) -> Vec<String> {
         let twist = self.twist(system, state, frames);
-        let jumps = self.jumps.look(system, state, table, frames);
-        let mesh = self.mesh.look(system, state, table, frames);
+        let mesh = self.mesh.look(system, state, frames);
         let ends = self.ends.look(system, state, frames);
         let alternation = self.alternation.look(system, state, (table, results), &self.mesh.beams);
         let stops = self.stops.look(system, state);
-        let all = twist.into_iter().chain(jumps).chain(mesh).chain(ends).chain(alternation).chain(stops);
+        let all = twist.into_iter().chain(mesh).chain(ends).chain(alternation).chain(stops);
         all.chain(self.energy(state.balance.alarm())).collect()
     }
 
@@ -79,10 +75,9 @@ impl Watch {
 
     /// Judges by now what otherwise waits for the end: of a run that fails it may be the cause.
     pub fn judge(&mut self, system: &System, table: &Table) -> Vec<String> {
-        let jump = self.jumps.judge(system, table);
-        let mesh = self.mesh.judge(system, table);
+        let mesh = self.mesh.judge(system);
         let alternation = self.alternation.judge(system, table, &self.mesh.beams);
-        jump.into_iter().chain(mesh).chain(alternation).collect()
+        mesh.into_iter().chain(alternation).collect()
     }
 
     /// Strain energy of the last state that was looked at, J; 0: none was.

@@ -2,10 +2,11 @@
 
 use super::measure::Measure;
 use crate::math::Vec3;
-use crate::mechanics::beam::resultants::Fiber;
 use crate::mechanics::force::spring::Spring;
-use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::output::joint_loads::JointLoads;
+use crate::mechanics::output::section_loads::SectionLoads;
+use crate::mechanics::output::section_stress::WorstFiber;
 use crate::mechanics::state::State;
 use crate::mechanics::state::energy_account::EnergyAccount;
 use crate::mechanics::system::System;
@@ -25,12 +26,19 @@ pub struct Moment<'a> {
     pub response: &'a Response,
     /// The fibers of all sensors that bear most in a state nearby: their stresses are told, which have no kinks. Empty:
     /// the largest ones are.
-    pub fibers: &'a [Fiber],
+    pub fibers: &'a [WorstFiber],
 }
 
 /// Appends a quantity of a point.
-pub(super) fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number: usize, quantity: Quantity) {
-    let Moment { system, state, response, fibers } = *moment;
+pub(super) fn push_point(
+    values: &mut Vec<f64>,
+    moment: &Moment,
+    loads: &JointLoads,
+    number: usize,
+    quantity: Quantity,
+) {
+    let c = loads.c;
+    let Moment { system, state, response, .. } = *moment;
     let sensor = &system.sensors[number];
     let rotation = &state.rotations[number];
     let mut push = |v: Vec3| values.extend(v.iter());
@@ -47,18 +55,12 @@ pub(super) fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configurati
         Quantity::AngularVelocity => push(sensor.seen_motion(c, &state.velocity).1),
         Quantity::Tilt => values.push(sensor.tilt(rotation)),
         Quantity::Twist => values.push(sensor.twist(system, c)),
-        Quantity::AxialStrain => values.push(sensor.strains(c).axial),
-        Quantity::Curvature => values.extend(sensor.strains(c).curvature),
-        Quantity::Torsion => values.push(sensor.strains(c).torsion),
-        Quantity::SectionForce => values.push(sensor.section_forces(c).axial),
-        Quantity::SectionMoment => values.extend(sensor.section_forces(c).moment),
-        Quantity::Stress => {
-            let stress = match fibers.get(number) {
-                Some(fiber) => sensor.stress_of(fiber, system, c),
-                None => sensor.stress(system, c),
-            };
-            values.push(stress.expect("the file is refused: a general section has no stress"));
-        }
+        Quantity::SectionForce
+        | Quantity::SectionMoment
+        | Quantity::Stress
+        | Quantity::AxialStrain
+        | Quantity::Curvature
+        | Quantity::Torsion => push_section(values, moment, loads, number, quantity),
         Quantity::ReactionForce
         | Quantity::ReactionMoment
         | Quantity::AppliedForce
@@ -79,6 +81,29 @@ pub(super) fn push_point(values: &mut Vec<f64>, moment: &Moment, c: &Configurati
     }
 }
 
+/// Appends what the section at a point of a beam bears, or its strains.
+fn push_section(values: &mut Vec<f64>, moment: &Moment, loads: &JointLoads, number: usize, quantity: Quantity) {
+    let Moment { system, response, fibers, .. } = *moment;
+    let sensor = &system.sensors[number];
+    let loads = SectionLoads { joints: loads, acceleration: &response.acceleration };
+    if quantity == Quantity::Stress {
+        let stress = match fibers.get(number) {
+            Some(fiber) => sensor.stress_of(fiber, &loads),
+            None => sensor.stress(&loads),
+        };
+        values.push(stress.expect("the file is refused: a general section has no stress"));
+        return;
+    }
+    let section = sensor.section(&loads).expect("the file is refused: only points of beams have sections");
+    match quantity {
+        Quantity::SectionForce => values.extend(section.wrench.force),
+        Quantity::SectionMoment => values.extend(section.wrench.moment),
+        Quantity::AxialStrain => values.push(section.strains().axial),
+        Quantity::Curvature => values.extend(section.strains().curvature),
+        _ => values.push(section.strains().torsion),
+    }
+}
+
 /// Appends a quantity of a joint; the springs of the system from `first_spring` on belong to joints.
 pub(super) fn push_joint(
     values: &mut Vec<f64>,
@@ -94,7 +119,7 @@ pub(super) fn push_joint(
         quantity if quantity.is_transmitted() => push_wrench(values, loads.reaction(parts), quantity),
         Quantity::Energy => {
             let own = parts.springs.iter().filter(|spring| **spring >= first_spring);
-            let energies = own.map(|spring| of_spring(&system.springs[*spring], quantity, moment, loads.c));
+            let energies = own.map(|spring| of_spring(&system.springs[*spring], quantity, moment, loads));
             // From +0: of no spring 0, not -0.
             values.push(energies.fold(0.0, |sum, energy| sum + energy));
         }
@@ -121,7 +146,7 @@ pub(super) fn of_connection(kind: Kind, number: usize, quantity: Quantity, momen
         Kind::Lock => system.locks[number].coordinate,
         Kind::Actuator => system.actuators[number].coordinate,
         Kind::Gear => system.gear_coordinate(number),
-        _ => return of_spring(&system.springs[number], quantity, moment, loads.c),
+        _ => return of_spring(&system.springs[number], quantity, moment, loads),
     };
     let effort = || match kind {
         Kind::Drive => loads.effort(number),
@@ -168,12 +193,12 @@ pub(super) fn push_total(values: &mut Vec<f64>, measure: &Measure, moment: &Mome
 }
 
 /// A quantity of a spring, friction or a stop.
-pub(super) fn of_spring(spring: &Spring, quantity: Quantity, moment: &Moment, c: &Configuration) -> f64 {
-    let Moment { system, state, .. } = moment;
+pub(super) fn of_spring(spring: &Spring, quantity: Quantity, moment: &Moment, loads: &JointLoads) -> f64 {
+    let (Moment { system, state, .. }, JointLoads { c, passage, .. }) = (moment, loads);
     let coordinate = &system.relative_coordinates[spring.coordinate];
     match quantity {
-        Quantity::Effort => 0.0 - spring.tension(coordinate, c, &Passage::of(state)), // 0 where it is 0, not -0
-        Quantity::Force => spring.tension(coordinate, c, &Passage::of(state)),
+        Quantity::Effort => 0.0 - spring.tension(coordinate, c, passage), // 0 where it is 0, not -0
+        Quantity::Force => spring.tension(coordinate, c, passage),
         Quantity::Energy => spring.energy(coordinate, c),
         Quantity::Power => spring.dissipation(coordinate, c, &state.velocity),
         _ => coordinate_of(spring.coordinate, quantity, moment, c),

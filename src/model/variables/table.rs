@@ -9,15 +9,17 @@ use super::reading::{Moment, of_connection, of_part, push_joint, push_point, pus
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
-use crate::mechanics::beam::resultants::Fiber;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::output::joint_loads::JointLoads;
+use crate::mechanics::output::section_loads::SectionLoads;
+use crate::mechanics::output::section_stress::WorstFiber;
+use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::energy::Part;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::document::Document;
 use crate::model::file::entries::output::{OutputSpec, Target};
-use crate::model::file::entries::simulation::Total;
+use crate::model::file::entries::simulation::{Analysis, Total};
 use crate::model::file::quantity::Quantity;
 use crate::model::file::reader::anchor::{Anchor, Spot};
 use crate::model::file::unit;
@@ -56,6 +58,8 @@ pub struct Table {
     /// The first spring of the system that belongs to a joint: those before it are the springs, friction and stops of
     /// the file.
     first_of_joints: usize,
+    /// Whether all states are equilibria, in which nothing moves, whatever frames and drives do.
+    is_at_rest: bool,
 }
 
 impl Table {
@@ -68,6 +72,7 @@ impl Table {
             results: Vec::new(),
             seen: Vec::new(),
             first_of_joints: document.springs.len() + document.frictions.len() + document.stops.len(),
+            is_at_rest: document.simulation.analysis == Analysis::Static,
         };
         let inputs = Inputs::new(document);
         for (index, parameter) in document.parameters().iter().enumerate() {
@@ -203,7 +208,7 @@ impl Table {
     /// Whether accelerations or multipliers are among what results are read from.
     pub fn needs_response(&self) -> bool {
         self.measures.iter().any(|measure| match measure {
-            Measure::Sensors(_, quantity) => quantity.is_acceleration(),
+            Measure::Sensors(_, quantity) => quantity.is_acceleration() || quantity.is_of_section(),
             Measure::Frame(..) | Measure::Connection(Kind::Gear, ..) => true,
             // An effort is given, and a spring follows from positions and velocities.
             Measure::Connection(Kind::Actuator | Kind::Spring, _, quantity) => quantity.is_acceleration(),
@@ -222,7 +227,7 @@ impl Table {
     pub fn follows_from_motion(&self, result: usize) -> bool {
         self.measure_of(result).is_some_and(|measure| match measure {
             Measure::Sensors(_, quantity) | Measure::Connection(Kind::Spring, _, quantity) => {
-                !quantity.is_acceleration()
+                !quantity.is_acceleration() && !quantity.is_of_section()
             }
             Measure::Frame(..) | Measure::Connection(Kind::Gear, ..) => false,
             Measure::Connection(.., quantity) => quantity.is_coordinate(),
@@ -243,14 +248,23 @@ impl Table {
     }
 
     /// The fibers of all sensors that bear most at a moment, for [`Moment::fibers`]; none where no stress is told.
-    pub fn fibers(&self, moment: &Moment, snapshot: &mut FrameCache) -> Vec<Fiber> {
+    pub fn fibers(&self, moment: &Moment, snapshot: &mut FrameCache) -> Vec<WorstFiber> {
         let tells_stress = |measure: &Measure| matches!(measure, Measure::Sensors(_, Quantity::Stress));
         if !self.measures.iter().any(tells_stress) {
             return Vec::new();
         }
-        let configuration = snapshot.of(moment.system, moment.state);
-        let sensors = moment.system.sensors.iter();
-        sensors.map(|sensor| sensor.worst_fiber(moment.system, &configuration).unwrap_or_default()).collect()
+        let Moment { system, state, response, .. } = *moment;
+        let configuration = snapshot.of(system, state);
+        let passage = self.passage(state);
+        let joints =
+            JointLoads { system, state, c: &configuration, passage: &passage, multipliers: &response.multipliers };
+        let loads = SectionLoads { joints: &joints, acceleration: &response.acceleration };
+        system.sensors.iter().map(|sensor| sensor.worst_fiber(&loads).unwrap_or_default()).collect()
+    }
+
+    /// How the system passes through `state`.
+    pub fn passage<'a>(&self, state: &'a State) -> Passage<'a> {
+        if self.is_at_rest { Passage::Rest } else { Passage::of(state) }
     }
 
     /// What result `result` is a part of.
@@ -317,7 +331,7 @@ impl Table {
     pub fn measure(&self, moment: &Moment, snapshot: &mut FrameCache, values: &mut Vec<f64>) {
         let Moment { system, state, response, .. } = *moment;
         let configuration = snapshot.of(system, state);
-        let passage = Passage::of(state);
+        let passage = self.passage(state);
         let loads =
             JointLoads { system, state, c: &configuration, passage: &passage, multipliers: &response.multipliers };
         values.clear();
@@ -327,7 +341,7 @@ impl Table {
             match measure {
                 Measure::Sensors(sensors, quantity) => {
                     for sensor in sensors.clone() {
-                        push_point(values, moment, &configuration, sensor, *quantity);
+                        push_point(values, moment, &loads, sensor, *quantity);
                     }
                 }
                 Measure::Frame(frame, quantity) => push_wrench(values, loads.frame_reaction(*frame), *quantity),

@@ -5,12 +5,14 @@ use super::stations::{RESULTS, Stations, quaternion, steps};
 use crate::math::Vec3;
 use crate::mechanics::force::load::Direction;
 use crate::mechanics::marker::Marker;
-use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::output::joint_loads::JointLoads;
+use crate::mechanics::output::section_loads::SectionLoads;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::run::simulation::Simulation;
+use crate::solve::step::response::{Responder, Response};
 
 /// Numbers of one kind at all instants: instant by instant, in each thing by thing, of each its components.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +38,8 @@ pub struct Recording {
     pub tracks: Vec<Track>,
     pub(super) watched: Watched,
     frames: FrameCache,
+    responder: Option<Responder>,
+    response: Response,
 }
 
 /// Kinds of numbers that every recording has, with their components, before those of [`RESULTS`].
@@ -88,7 +92,15 @@ impl Recording {
             };
             Track { name, components, things, values: Vec::new() }
         });
-        Self { tracks: tracks.collect(), scene, times: Vec::new(), watched, frames }
+        Self {
+            tracks: tracks.collect(),
+            scene,
+            times: Vec::new(),
+            watched,
+            frames,
+            responder: None,
+            response: Response::default(),
+        }
     }
 
     /// Number of stations of all beams.
@@ -100,11 +112,25 @@ impl Recording {
     pub fn record(&mut self, simulation: &Simulation) {
         let (system, state) = (simulation.system(), simulation.state());
         let mut seen: Vec<Vec<f64>> = vec![Vec::new(); self.tracks.len()];
+        let is_known = simulation.respond(&mut self.responder, &mut self.response);
+        let Response { acceleration, multipliers } = &self.response;
+        let multipliers = simulation.multipliers().unwrap_or(multipliers);
         let c = self.frames.of(system, state);
         look(&self.watched, system, state, &c, &mut seen);
-        if let Some(multipliers) = simulation.multipliers() {
-            let passage = Passage::of(state);
-            let loads = JointLoads { system, state, c: &c, passage: &passage, multipliers };
+        let passage = simulation.passage();
+        let loads = JointLoads { system, state, c: &c, passage: &passage, multipliers };
+        let told = &mut seen[KINDS.len()..][..RESULTS.len()];
+        if is_known {
+            let loads = SectionLoads { joints: &loads, acceleration };
+            for results in self.watched.beams.iter().flat_map(|stations| stations.results(&loads)) {
+                told.iter_mut().zip(results).for_each(|(values, value)| values.push(value));
+            }
+        } else {
+            told.iter_mut()
+                .zip(&self.tracks[KINDS.len()..])
+                .for_each(|(values, track)| values.resize(track.things, 0.0));
+        }
+        if simulation.multipliers().is_some() {
             let place = KINDS.len() + RESULTS.len();
             for (number, _) in &self.watched.joints {
                 let (force, moment) = loads.reaction(&system.joint_parts[*number]);
@@ -158,8 +184,7 @@ fn look(watched: &Watched, system: &System, state: &State, c: &Configuration, se
             places.extend(place(&tied(side)).iter());
         }
     }
-    let [spring_a, spring_b, arrow_places, forces, moments, points, surface_places, surface_turns, results @ ..] = rest
-    else {
+    let [spring_a, spring_b, arrow_places, forces, moments, points, surface_places, surface_turns, ..] = rest else {
         return;
     };
     for [a, b] in &watched.springs {
@@ -185,11 +210,6 @@ fn look(watched: &Watched, system: &System, state: &State, c: &Configuration, se
         let pose = marker.pose(c);
         surface_places.extend(pose.place.iter());
         surface_turns.extend(quaternion(&pose.axes));
-    }
-    for stations in &watched.beams {
-        for told in stations.results(system, c, &state.velocity) {
-            results.iter_mut().zip(told).for_each(|(values, value)| values.push(value));
-        }
     }
 }
 

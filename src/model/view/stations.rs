@@ -6,6 +6,8 @@ use crate::mechanics::beam::Beam;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::sensor::Sensor;
+use crate::mechanics::output::joint_loads::JointLoads;
+use crate::mechanics::output::section_loads::SectionLoads;
 use crate::mechanics::system::System;
 use nalgebra::Matrix3;
 use std::ops::Range;
@@ -26,9 +28,11 @@ const fn result(word: &'static str, unit: &'static str, meaning: &'static str) -
 }
 
 /// What is told of a station, in this order.
-pub const RESULTS: [StationResult; 10] = [
+pub const RESULTS: [StationResult; 12] = [
     result("stress", "Pa", "largest von Mises stress over the outline"),
-    result("section_force", "N", "axial force, tension positive"),
+    result("axial_force", "N", "axial force, tension positive"),
+    result("shear_y", "N", "shear force along the section's y"),
+    result("shear_z", "N", "shear force along the section's z"),
     result("torque", "N.m", "torque"),
     result("moment_y", "N.m", "bending moment about the section's y"),
     result("moment_z", "N.m", "bending moment about the section's z"),
@@ -110,22 +114,31 @@ impl Stations {
         }
     }
 
-    /// What [`RESULTS`] names, of each station, at the velocities `velocity` of the coordinates. Stress is 0 where the
-    /// outline is not known.
-    pub fn results<'a>(
-        &'a self,
-        system: &'a System,
-        c: &'a Configuration,
-        velocity: &'a [f64],
-    ) -> impl Iterator<Item = [f64; RESULTS.len()]> + 'a {
+    /// The results of [`RESULTS`] at each station. Stress is 0 where the outline is not known.
+    pub fn results<'a>(&'a self, loads: &'a SectionLoads) -> impl Iterator<Item = [f64; RESULTS.len()]> + 'a {
+        let JointLoads { state, c, .. } = loads.joints;
         self.sensors.iter().map(move |sensor| {
-            let (forces, strains) = (sensor.section_forces(c), sensor.strains(c));
-            let stress = sensor.stress(system, c).unwrap_or(0.0);
-            let [torque, moment_y, moment_z] = forces.moment;
+            let section = sensor.section(loads).expect("stations are points of beams");
+            let strains = section.strains();
+            let stress = sensor.stress(loads).unwrap_or(0.0);
+            let ([axial_force, shear_y, shear_z], [torque, moment_y, moment_z]) =
+                (section.wrench.force, section.wrench.moment);
             let [curvature_y, curvature_z] = strains.curvature;
-            let speed = sensor.motion(c, velocity).0.norm();
-            let (axial, torsion) = (strains.axial, strains.torsion);
-            [stress, forces.axial, torque, moment_y, moment_z, axial, curvature_y, curvature_z, torsion, speed]
+            let speed = sensor.motion(c, &state.velocity).0.norm();
+            [
+                stress,
+                axial_force,
+                shear_y,
+                shear_z,
+                torque,
+                moment_y,
+                moment_z,
+                strains.axial,
+                curvature_y,
+                curvature_z,
+                strains.torsion,
+                speed,
+            ]
         })
     }
 

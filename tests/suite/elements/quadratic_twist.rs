@@ -7,6 +7,7 @@ use crate::random::Random;
 use crate::support::machines::ancf14;
 use crate::support::machines::{clamp, design, load};
 use crate::support::oracle;
+use crate::support::sections::loaded_section;
 use ancf14::math::{Vec3, rotation};
 use ancf14::mechanics::beam::ancf14::element::{Element, Evaluation};
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
@@ -148,7 +149,7 @@ fn twist_and_torsion_inside_the_elements() {
         let mut snapshot = FrameCache::default();
         let configuration = snapshot.of(&system, &state);
         let sensor = &system.sensors[0];
-        (sensor.strains(&configuration).torsion, sensor.twist(&system, &configuration), state.rotations[0])
+        (loaded_section(&system, &state, 0).1.torsion, sensor.twist(&system, &configuration), state.rotations[0])
     };
     // Torsion is largest at the root, twist and turn at the tip.
     let (scales, tip) = (measure(Twist::Quadratic, 64, 0.0).0, measure(Twist::Quadratic, 64, 1.0));

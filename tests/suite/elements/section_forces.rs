@@ -1,5 +1,5 @@
-//! Section forces must be in equilibrium with the loads, and be the derivatives of the energy by the strains that are
-//! put out; the stress must be the largest on the outline. A wrong sign, axis or coupling gives errors of the size of
+//! Section forces of the constitutive law must be in equilibrium with the loads as well as the mesh allows, and be the
+//! derivatives of the energy by the strains; the stress must be the largest on the outline. A wrong sign, axis or coupling gives errors of the size of
 //! the forces themselves.
 
 use crate::random::Random;
@@ -39,15 +39,16 @@ fn found_and_demanded(beam: &BeamDesign, fraction: f64, force: Vec3, moment: Vec
     let mut snapshot = FrameCache::default();
     let c = snapshot.of(&system, &state);
     let [here, tip] = [0, 1].map(|i| system.sensors[i].marker.pose(&c));
-    let strains = system.sensors[0].strains(&c);
-    let forces = section::forces(&ancf14_elements(&system).next().unwrap().stiffness, &strains);
-    let [t, my, mz] = forces.moment;
+    // At a node the mean of both elements, whose errors of the slope are opposite.
+    let sides = system.sensors[0].sections();
+    let stiffness = &ancf14_elements(&system).next().unwrap().stiffness;
+    let found = sides.iter().fold(Vector4::zeros(), |sum, side| {
+        let SectionForces { axial, moment: [t, my, mz] } = section::forces(stiffness, &side.strains(&c));
+        sum + Vector4::new(axial, t, my, mz) / sides.len() as f64
+    });
     let demanded_moment = here.axes.tr_mul(&((tip.place - here.place).cross(&force) + moment));
     let along = here.axes.column(0).dot(&force);
-    (
-        Vector4::new(forces.axial, t, my, mz),
-        Vector4::new(along, demanded_moment[0], demanded_moment[1], demanded_moment[2]),
-    )
+    (found, Vector4::new(along, demanded_moment[0], demanded_moment[1], demanded_moment[2]))
 }
 
 /// A bar in tension, bending both ways and torsion, small: the linear theory. Cubic elements have it exactly, the bound

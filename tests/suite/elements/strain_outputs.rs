@@ -2,10 +2,10 @@
 //! size of the linear theory. A curvature about the wrong axis or with the wrong sign fails here.
 
 use crate::support::machines::{clamp, design, load};
+use crate::support::sections::loaded_section;
 use ancf14::math::Vec3;
 use ancf14::mechanics::beam::resultants::SectionStrains;
 use ancf14::mechanics::system::builder::SystemBuilder;
-use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::solve::statics::Statics;
 
 /// Strains at a fraction of a cantilever along x under a small force and moment at its end.
@@ -17,9 +17,7 @@ fn strains(fraction: f64, force: Vec3, moment: Vec3) -> SectionStrains {
     builder.add_sensor(beam, fraction);
     let (system, mut state) = builder.finish(Vec3::zeros());
     Statics::new(&system, 1e-10).find(&system, &mut state, 1.0).unwrap();
-    let mut snapshot = FrameCache::default();
-    let configuration = snapshot.of(&system, &state);
-    system.sensors[0].strains(&configuration)
+    loaded_section(&system, &state, 0).1
 }
 
 #[test]

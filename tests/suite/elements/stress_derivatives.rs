@@ -82,7 +82,7 @@ fn regression_stress_near_a_tie() {
         }
         let start = simulation.snapshot();
         let stress = place(&simulation, "at_root.stress");
-        for (name, change) in [("push.force[1]", 1e-2), ("push.force[3]", 1e-2)] {
+        for (name, change) in [("push.force[1]", 1e-2), ("push.force[3]", 1e-1)] {
             let push = place(&simulation, name);
             let now = simulation.value(push).number();
             let mut with = |force: f64| {

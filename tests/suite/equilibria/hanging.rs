@@ -95,7 +95,7 @@ fn a_motion_that_stays_free_is_named() {
 #[test]
 fn the_crane_begins_at_rest() {
     let curves = Curves::run(CRANE, &[("simulation.stop", "0.5")]);
-    let pull = curves.column("rope_pull.section_force")[0];
+    let pull = curves.column("rope_pull.section_force[1]")[0];
     // Half the rope hangs below its middle.
     let weight = 9.81 * (500.0 + 1.5 * 5000.0 * std::f64::consts::PI * 0.006 * 0.006);
     println!("pull {pull} N, weight below {weight} N");

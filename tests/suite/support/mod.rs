@@ -7,3 +7,4 @@ pub mod marker_oracle;
 pub mod oracle;
 pub mod oscillation;
 pub mod parts;
+pub mod sections;

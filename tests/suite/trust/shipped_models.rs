@@ -8,15 +8,7 @@ use ancf14::model::simulation::Simulation;
 use std::fs;
 
 /// The models that warn, with the words of each warning.
-const WARNED_OF: [(&str, &[&str]); 9] = [
-    // The eight elements of its source: an axial force at the clamp, where there is none.
-    (
-        "bend_45",
-        &[
-            "too coarse for the section_force at arc@0",
-            "foot.section_force is off by about 75 % of its range because of the mesh",
-        ],
-    ),
+const WARNED_OF: [(&str, &[&str]); 8] = [
     // One element between two spokes: the top of the rim moves by a twentieth of the contact.
     ("bicycle_wheel", &["rim_top.displacement is off by about 1.3 % of its range because of the mesh"]),
     // A release from rest excites vibrations that steps of 1 ms do not resolve.

@@ -139,7 +139,8 @@ const STRAIN: f64 = 1e-6;
 fn least_size(quantity: &str, [rigidity, young]: [f64; 2]) -> f64 {
     match quantity {
         "stress" => young * STRAIN,
-        "reaction_force" | "reaction_moment" | "effort" | "section_force" => f64::max(1.0, rigidity * STRAIN),
+        "reaction_force" | "reaction_moment" | "effort" => f64::max(1.0, rigidity * STRAIN),
+        _ if quantity.starts_with("section_") => f64::max(1.0, rigidity * STRAIN),
         _ => 1.0,
     }
 }
@@ -246,7 +247,9 @@ fn check(random: &mut Random, name: &str, text: &str, more: &[(String, String)],
                 "angle",
                 "distance",
                 "effort",
-                "section_force",
+                "section_force[1]",
+                "section_force[2]",
+                "section_force[3]",
                 "section_moment[1]",
                 "section_moment[2]",
                 "section_moment[3]",

@@ -5,10 +5,11 @@ use super::element::{Element, Evaluation};
 use super::energy::quadratic_twist::{self, Twist};
 use super::kinematics::Holonomy;
 use super::kinematics::section_point::SectionPoint;
-use super::over_step::EndStrains;
+use super::over_step::{EndStrains, STRAINS};
 use super::{damping, section};
 use crate::math::jet::Jet;
 use crate::math::{Vec3, hermite};
+use crate::mechanics::beam::balance::{Balance, Instant};
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
 use crate::mechanics::beam::element::BeamElement;
 use crate::mechanics::beam::line_load::{ElementForces, LOAD_POINTS, LineLoad, MOST_COORDINATES};
@@ -54,6 +55,20 @@ impl Element {
         let (columns, _) = block.as_chunks_mut::<ELEMENT>();
         let columns = columns.first_chunk_mut::<ELEMENT>().expect("a block has a column a coordinate");
         self.add(&evaluation.gradient_and_set_hessian(scale, columns), forces);
+    }
+
+    /// Viscous force of the material with the rates `all` of strains of the system, or with the velocities `velocity`.
+    fn viscous_force(&self, c: &BeamConfiguration, velocity: &[f64], all: Option<&[f64]>) -> ElementVector {
+        let here = self.linear_evaluation(c);
+        damping::force_of_rates(&here, &self.known_rates(&here, velocity, all))
+    }
+
+    /// Its own of the rates `all` of strains of the system, or those with the velocities `velocity`.
+    fn known_rates(&self, here: &Evaluation, velocity: &[f64], all: Option<&[f64]>) -> [f64; STRAINS] {
+        match all {
+            Some(all) => *self.own_rates(all),
+            None => self.strain_rates_with(here, self.own(velocity), 0.0),
+        }
     }
 
     /// Internal coordinate of the quadratic twist, rad; 0 for linear twist.
@@ -173,12 +188,7 @@ impl BeamElement for Element {
     }
 
     fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]) {
-        let here = self.linear_evaluation(c);
-        let force = match strain_rates {
-            Some(all) => damping::force_of_rates(&here, self.own_rates(all)),
-            None => damping::force(&here, &ElementVector::from_column_slice(self.own(velocity))),
-        };
-        self.add(&force, forces);
+        self.add(&self.viscous_force(c, velocity, strain_rates), forces);
     }
 
     fn add_damping_and_tangent(
@@ -221,6 +231,14 @@ impl BeamElement for Element {
             Twist::Quadratic => self.linear_evaluation(c).viscous_power(self.own(velocity)),
         };
         [here.energy(), power]
+    }
+
+    fn balance(&self, c: &BeamConfiguration, instant: &Instant, inside: &ElementForces) -> Balance {
+        let mut acting = -ElementVector::from_column_slice(&inside[..ELEMENT]);
+        if self.is_damped() {
+            acting += self.viscous_force(c, instant.velocity, instant.strain_rates);
+        }
+        self.balance_of(c, instant, acting, None)
     }
 
     fn load_points(&self) -> [(f64, f64); LOAD_POINTS] {
@@ -273,6 +291,13 @@ impl BeamElement for Element {
         }
     }
 
+    fn section_turn(&self, c: &BeamConfiguration, xi: f64, torque: &dyn Fn(f64) -> f64) -> f64 {
+        match self.stiffness.twist {
+            Twist::Linear => section::turn_of_torque(self, xi, torque),
+            Twist::Quadratic => self.relaxed_turn(c, xi),
+        }
+    }
+
     fn section_shape(&self, c: &BeamConfiguration, xi: f64) -> SectionShape {
         section::shape(self, c, &self.kinematics(c), xi, self.bubble(c))
     }
@@ -281,12 +306,13 @@ impl BeamElement for Element {
         section::strains(self, c, xi, drawn)
     }
 
-    fn section_forces(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionForces {
-        section::forces_at(self, xi, &section::strains(self, c, xi, drawn))
+    fn strains_under(&self, xi: f64, forces: &SectionForces, near: [&SectionStrains; 2]) -> Option<SectionStrains> {
+        section::strains_under(self, xi, forces, near)
     }
 
-    fn torsion_rigidity(&self, xi: f64) -> f64 {
-        self.section_at(xi).stiffness.torsion
+    fn viscous_strains(&self, c: &BeamConfiguration, xi: f64, instant: &Instant) -> SectionStrains {
+        let rates = self.known_rates(&self.linear_evaluation(c), instant.velocity, instant.strain_rates);
+        section::viscous(self, xi, &rates)
     }
 
     fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64 {

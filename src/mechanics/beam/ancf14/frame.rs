@@ -139,6 +139,12 @@ impl NodeFrame {
         ((moment.cross(&self.t) - self.k * along) / self.stretch, along)
     }
 
+    /// The moment, N m, whose generalized force is `[Q_p, Q_theta]`: the way back of [`Self::moment_force`]. What of
+    /// `Q_p` is along the tangent stretches the slope, and belongs to no moment.
+    pub fn moment_of(&self, by_slope: &Vec3, by_angle: f64) -> Vec3 {
+        self.t.cross(&(by_slope * self.stretch + self.k * by_angle)) + self.t * by_angle
+    }
+
     /// `(∂Q_p/∂p, ∂Q_theta/∂p)` at a moment frozen in space (MECHANICS 3.5).
     #[inline]
     pub fn moment_force_p(&self, moment: &Vec3) -> (Mat3, Vec3) {

@@ -2,8 +2,12 @@
 //! paper.
 
 use super::coordinates::{ELEMENT, ElementVector, NODE, SHAPE_PLACES, THETA};
+use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS};
 use crate::math::vectors::vec3;
 use crate::math::{Vec3, hermite};
+
+/// Number of the stations.
+const FIVE: usize = FIVE_POINTS.len();
 
 /// Places of the angles, which have an inertia of their own.
 const ANGLES: [usize; 2] = [THETA, NODE + THETA];
@@ -17,6 +21,8 @@ pub struct Inertia {
     pub line_density: f64,
     /// `∫ ρA N_a dx`, kg and kg m: the weight is their product with gravity.
     pub weights: [f64; 4],
+    /// Mass, kg, and spin inertia, kg m², that each of the five Gauss points stands for.
+    pub stations: [[f64; 2]; FIVE],
 }
 
 impl Inertia {
@@ -26,19 +32,21 @@ impl Inertia {
             mass: Mass::new(line_density, spin_inertia, length),
             line_density,
             weights: hermite::integrals(length).map(|integral| line_density * integral),
+            stations: FIVE_WEIGHTS.map(|weight| [line_density, spin_inertia].map(|own| own * weight * length)),
         }
     }
 
-    /// The inertia of `stations` (a position, 0 to 1, with the mass, kg, and the spin inertia, kg m², that it stands
-    /// for) of an element of length `length`, m.
-    pub fn of_stations(stations: impl Iterator<Item = (f64, [f64; 2])> + Clone, length: f64) -> Self {
+    /// The inertia of `own`, the mass, kg, and the spin inertia, kg m², that each of the five Gauss points stands for,
+    /// of an element of length `length`, m.
+    pub fn of_stations(own: [[f64; 2]; FIVE], length: f64) -> Self {
+        let stations = FIVE_POINTS.into_iter().zip(own);
         let mut weights = [0.0; 4];
         for (xi, [mass, _]) in stations.clone() {
             let shape = hermite::shape(xi, length);
             weights.iter_mut().zip(shape).for_each(|(sum, shape)| *sum += mass * shape);
         }
         let line_density = stations.clone().map(|(_, [mass, _])| mass).sum::<f64>() / length;
-        Self { mass: Mass::of_stations(stations, length), line_density, weights }
+        Self { mass: Mass::of_stations(stations, length), line_density, weights, stations: own }
     }
 }
 
@@ -59,7 +67,7 @@ impl Mass {
         Self { line, spin: [[spin * 2.0, spin], [spin, spin * 2.0]] }
     }
 
-    /// As [`Inertia::of_stations`].
+    /// The mass matrix of points with the mass and the spin inertia that each stands for.
     fn of_stations(stations: impl Iterator<Item = (f64, [f64; 2])>, length: f64) -> Self {
         let mut all = Self { line: [[0.0; 4]; 4], spin: [[0.0; 2]; 2] };
         for (xi, [mass, spin]) in stations {

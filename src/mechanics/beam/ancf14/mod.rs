@@ -6,6 +6,7 @@
 
 pub mod along;
 mod at_instant;
+mod balance;
 mod beam_element;
 mod bending_strains;
 pub mod coordinates;
@@ -19,6 +20,7 @@ mod line_load;
 pub mod natural;
 pub mod over_step;
 pub mod paid_out;
+mod passing;
 pub mod payout;
 pub mod relief;
 pub mod section;

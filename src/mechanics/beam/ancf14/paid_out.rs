@@ -5,16 +5,18 @@
 //! `x` of the mesh with the speed `c = (lambda'/lambda)(X − x)`, where `X` is the end that is not at the winch. At a
 //! given instant the element is an ANCF14 element of another free length.
 
-use super::coordinates::{ELEMENT, SHAPE_PLACES};
+use super::balance::Passing;
+use super::coordinates::{ELEMENT, ElementVector};
 use super::damping;
 use super::element::{Element, Evaluation};
 use super::over_step::{Added, EndStrains, STRAINS};
 use super::payout::{Extent, Payout};
+use super::section;
 use super::strain::Strain;
 use super::transport::Transport;
 use crate::math::Vec3;
 use crate::math::jet::Jet;
-use crate::math::vectors::vec3;
+use crate::mechanics::beam::balance::{Balance, Instant};
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
 use crate::mechanics::beam::element::BeamElement;
 use crate::mechanics::beam::line_load::{ElementForces, LOAD_POINTS, LineLoad};
@@ -36,9 +38,11 @@ struct Growth {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PaidOut {
     /// As drawn.
-    drawn: Element,
+    pub(super) drawn: Element,
     payout: Payout,
-    transport: Transport,
+    pub(super) transport: Transport,
+    /// Distance of its start from the end that is not at the winch, m as drawn.
+    distance: f64,
 }
 
 impl PaidOut {
@@ -47,8 +51,9 @@ impl PaidOut {
     pub fn new(mut drawn: Element, begin: f64, payout: Payout) -> Self {
         // A pretension is in the strains of its points already; without the box no copy asks for memory.
         drawn.prestress = None;
-        let transport = Transport::new(drawn.inertia.line_density, drawn.length, payout.far_end - begin);
-        Self { drawn, payout, transport }
+        let distance = payout.far_end - begin;
+        let transport = Transport::new(drawn.inertia.line_density, drawn.length, distance);
+        Self { drawn, payout, transport, distance }
     }
 
     /// As drawn.
@@ -97,89 +102,6 @@ impl PaidOut {
         }
     }
 
-    /// Adds `factor` times `matrix`, that of a line, times the coordinates `vector` to `sum`.
-    fn add_line(&self, matrix: &[[f64; 4]; 4], factor: f64, vector: &[f64], sum: &mut [f64]) {
-        let (own, sum) = (self.drawn.own(vector), &mut sum[self.coordinates()]);
-        for (row, products) in SHAPE_PLACES.into_iter().zip(matrix) {
-            for (column, product) in SHAPE_PLACES.into_iter().zip(products) {
-                (0..3).for_each(|axis| sum[row + axis] += factor * product * own[column + axis]);
-            }
-        }
-    }
-
-    /// `leftᵀ matrix right` of the coordinates of a line.
-    fn line_form(&self, left: &[f64], matrix: &[[f64; 4]; 4], right: &[f64]) -> f64 {
-        let (left, right) = (self.drawn.own(left), self.drawn.own(right));
-        let mut sum = 0.0;
-        for (row, products) in SHAPE_PLACES.into_iter().zip(matrix) {
-            for (column, product) in SHAPE_PLACES.into_iter().zip(products) {
-                sum += product * (0..3).map(|axis| left[row + axis] * right[column + axis]).sum::<f64>();
-            }
-        }
-        sum
-    }
-
-    /// Adds the inertia of what passes through the mesh, beyond that of the mesh's own acceleration; over a step less
-    /// `lambda' M v`, which the momentum of the mesh changes by as its mass grows.
-    pub fn add_transport(&self, c: &BeamConfiguration, passage: &Passage, forces: &mut [f64]) {
-        let extent = self.extent(c.drives);
-        let (velocity, scale) = match passage {
-            Passage::Rest | Passage::Corrected(_) => return,
-            Passage::Instant { velocity, .. } => (*velocity, 1.0),
-            Passage::Step(step) => (step.increment, 1.0 / step.duration),
-        };
-        self.add_line(&self.transport.first, 2.0 * extent.ratio * extent.rate * scale, velocity, forces);
-        self.add_line(&self.transport.by_q(&extent), 1.0, c.q, forces);
-        if matches!(passage, Passage::Step(_)) {
-            self.drawn.add_mass_times(-extent.ratio * extent.rate * scale, velocity, forces);
-        }
-    }
-
-    /// Adds `scale` times the derivative of [`Self::add_transport`]; over a step twice that by the coordinates at its
-    /// end.
-    pub fn add_transport_tangent(&self, c: &BeamConfiguration, passage: &Passage, scale: f64, block: &mut [f64]) {
-        let extent = self.extent(c.drives);
-        let by_velocity = match passage {
-            Passage::Rest | Passage::Corrected(_) => return,
-            Passage::Instant { velocity_by_q, .. } => *velocity_by_q,
-            Passage::Step(step) => 2.0 / step.duration,
-        };
-        let (by_q, gyroscopic) = (self.transport.by_q(&extent), 2.0 * extent.ratio * extent.rate * by_velocity);
-        for (b, column) in SHAPE_PLACES.into_iter().enumerate() {
-            for (a, row) in SHAPE_PLACES.into_iter().enumerate() {
-                let value = scale * (by_q[a][b] + gyroscopic * self.transport.first[a][b]);
-                (0..3).for_each(|axis| block[(column + axis) * ELEMENT + row + axis] += value);
-            }
-        }
-        if matches!(passage, Passage::Step(_)) {
-            self.drawn.add_mass(-scale * extent.ratio * extent.rate * by_velocity, block);
-        }
-    }
-
-    /// Kinetic energy that the velocity of the material has beyond that of the mesh, J.
-    pub fn transport_energy(&self, c: &BeamConfiguration, velocity: &[f64]) -> f64 {
-        let Extent { ratio, rate, .. } = self.extent(c.drives);
-        let linear = self.line_form(velocity, &self.transport.first, c.q);
-        let square = self.line_form(c.q, &self.transport.square, c.q);
-        ratio * rate * (linear + 0.5 * rate * square)
-    }
-
-    /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s) that the material has beyond those of
-    /// the mesh.
-    pub fn transport_momentum(&self, c: &BeamConfiguration) -> [Vec3; 2] {
-        let (Extent { ratio, rate, .. }, own) = (self.extent(c.drives), self.drawn.own(c.q));
-        let (mut linear, mut angular) = (Vec3::zeros(), Vec3::zeros());
-        for (a, (row, products)) in SHAPE_PLACES.into_iter().zip(&self.transport.first).enumerate() {
-            for (column, product) in SHAPE_PLACES.into_iter().zip(products) {
-                let (place, moved) = (vec3(own, row), vec3(own, column) * (ratio * rate * product));
-                angular += place.cross(&moved);
-                // The shape functions of the places add up to 1.
-                linear += if a % 2 == 0 { moved } else { Vec3::zeros() };
-            }
-        }
-        [linear, angular]
-    }
-
     /// The part of the axial strains over `step`, whose middle is `c`, that comes from the growth of the free length,
     /// at the free length of the middle. No material is strained by it.
     fn growth(&self, c: &BeamConfiguration, step: &TimeStep) -> Growth {
@@ -219,6 +141,27 @@ impl PaidOut {
             rates[m] -= self.extent(c.drives).rate * self.stretch_power(m, strain);
         }
         rates
+    }
+
+    /// Viscous force of the material with the rates `all` of strains of the system, or with the velocities `velocity`.
+    fn viscous_force(&self, c: &BeamConfiguration, velocity: &[f64], all: Option<&[f64]>) -> ElementVector {
+        let element = self.at(c);
+        let here = element.linear_evaluation(c);
+        damping::force_of_rates(&here, &self.known_rates(&here, c, velocity, all))
+    }
+
+    /// Its own of the rates `all` of strains of the system, or those with the velocities `velocity`.
+    fn known_rates(
+        &self,
+        here: &Evaluation,
+        c: &BeamConfiguration,
+        velocity: &[f64],
+        all: Option<&[f64]>,
+    ) -> [f64; STRAINS] {
+        match all {
+            Some(all) => *here.element.own_rates(all),
+            None => self.rates(here, c, velocity),
+        }
     }
 
     /// The element that this one is at `c`, where axial strains over a step are the means of those of the material at
@@ -395,13 +338,7 @@ impl BeamElement for PaidOut {
     }
 
     fn add_damping(&self, c: &BeamConfiguration, velocity: &[f64], strain_rates: Option<&[f64]>, forces: &mut [f64]) {
-        let element = self.at(c);
-        let here = element.linear_evaluation(c);
-        let rates = match strain_rates {
-            Some(all) => *element.own_rates(all),
-            None => self.rates(&here, c, velocity),
-        };
-        element.add(&damping::force_of_rates(&here, &rates), forces);
+        self.drawn.add(&self.viscous_force(c, velocity, strain_rates), forces);
     }
 
     /// Not at the rates of what grows: `generalized_alpha`, which asks for this, does not support winches.
@@ -419,6 +356,21 @@ impl BeamElement for PaidOut {
     /// Not of what grows, as [`Self::add_damping_and_tangent`].
     fn energy_and_viscous_power(&self, c: &BeamConfiguration, velocity: &[f64]) -> [f64; 2] {
         self.at(c).energy_and_viscous_power(c, velocity)
+    }
+
+    fn balance(&self, c: &BeamConfiguration, instant: &Instant, inside: &ElementForces) -> Balance {
+        let mut acting = -ElementVector::from_column_slice(&inside[..ELEMENT]);
+        let mut extent = self.extent(c.drives);
+        if instant.moves {
+            acting += self.passing_inertia(c, instant.velocity, 1.0);
+        } else {
+            extent = Extent { ratio: extent.ratio, ..Extent::default() };
+        }
+        if self.is_damped() {
+            acting += self.viscous_force(c, instant.velocity, instant.strain_rates);
+        }
+        let passing = Passing { extent, distance: self.distance };
+        self.at(c).balance_of(c, instant, acting, Some(&passing))
     }
 
     fn load_points(&self) -> [(f64, f64); LOAD_POINTS] {
@@ -462,12 +414,20 @@ impl BeamElement for PaidOut {
         self.at(c).section_strains(c, xi, &self.free(c, drawn))
     }
 
-    fn section_forces(&self, c: &BeamConfiguration, xi: f64, drawn: &SectionShape) -> SectionForces {
-        self.at(c).section_forces(c, xi, &self.free(c, drawn))
+    fn section_turn(&self, c: &BeamConfiguration, xi: f64, torque: &dyn Fn(f64) -> f64) -> f64 {
+        let (element, extent) = (self.at(c), self.extent(c.drives).ratio);
+        // The length on which the torque turns sections is the free one.
+        element.section_turn(c, xi, &|xi| extent * torque(xi))
     }
 
-    fn torsion_rigidity(&self, xi: f64) -> f64 {
-        self.drawn.torsion_rigidity(xi)
+    fn strains_under(&self, xi: f64, forces: &SectionForces, near: [&SectionStrains; 2]) -> Option<SectionStrains> {
+        self.drawn.strains_under(xi, forces, near)
+    }
+
+    fn viscous_strains(&self, c: &BeamConfiguration, xi: f64, instant: &Instant) -> SectionStrains {
+        let element = self.at(c);
+        let rates = self.known_rates(&element.linear_evaluation(c), c, instant.velocity, instant.strain_rates);
+        section::viscous(&element, xi, &rates)
     }
 
     fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64 {

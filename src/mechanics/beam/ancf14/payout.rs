@@ -17,7 +17,7 @@ pub struct Payout {
 }
 
 /// How long a beam is without load, over its length as drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extent {
     /// `lambda`, 1.
     pub ratio: f64,

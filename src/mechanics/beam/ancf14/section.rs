@@ -1,5 +1,6 @@
 //! Strains and section forces, the derivatives of the energy per undeformed length by the strains of a section.
 
+use super::along::SectionAt;
 use super::element::Element;
 use super::energy::axial;
 use super::energy::bending;
@@ -9,11 +10,13 @@ use super::energy::quadratic_twist;
 use super::energy::torsion;
 use super::kinematics::Kinematics;
 use super::kinematics::curve_point::CurvePoint;
+use super::over_step::STRAINS;
 use super::strain::{Stiffness, Strain, Strains};
 use crate::math::hermite;
-use crate::math::quadrature::{LOBATTO_POINTS, collocation, lagrange};
+use crate::math::quadrature::{GAUSS_POINTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
+use nalgebra::{Matrix4, Vector4};
 
 /// The section of `element` at `xi`, with the element's `kinematics`; `bubble` is the internal coordinate of the
 /// quadratic twist, rad.
@@ -58,7 +61,11 @@ pub fn strains(element: &Element, c: &BeamConfiguration, xi: f64, drawn: &Sectio
 
 /// Force and moments of the section of `element` at `xi` with the strains `strains`.
 pub fn forces_at(element: &Element, xi: f64, strains: &SectionStrains) -> SectionForces {
-    let here = element.section_at(xi);
+    forces_of(&element.section_at(xi), strains)
+}
+
+/// Force and moments of the section `here` with the strains `strains`.
+fn forces_of(here: &SectionAt, strains: &SectionStrains) -> SectionForces {
     if here.principal == 0.0 && here.eccentricity.is_none() {
         return forces(&here.stiffness, strains);
     }
@@ -75,6 +82,97 @@ pub fn forces_at(element: &Element, xi: f64, strains: &SectionStrains) -> Sectio
     }
     let [about_y, about_z] = turned([about_y, about_z], -here.principal);
     SectionForces { axial, moment: [torque, about_y, about_z] }
+}
+
+/// The strains at which the elastic stress of the section of `element` at `xi` and the viscous one, that of strains
+/// `viscous`, bear `forces`, near `strains`; none: there are none. Strains that nothing resists stay what they are.
+pub fn strains_under(
+    element: &Element,
+    xi: f64,
+    forces: &SectionForces,
+    [viscous, strains]: [&SectionStrains; 2],
+) -> Option<SectionStrains> {
+    let here = element.section_at(xi);
+    let stiffness = here.stiffness;
+    // The viscous stress is linear in the rates.
+    let linear = SectionAt { stiffness: Stiffness { strain: Strain::Small, ..stiffness }, ..here };
+    let bending = stiffness.bending_y.max(stiffness.bending_z).max(stiffness.torsion);
+    // The size of curvatures that strain fibers by 1.
+    let per_length = (stiffness.axial / bending).sqrt().clamp(f64::MIN_POSITIVE, f64::MAX);
+    let scales = Vector4::new(1.0, per_length, per_length, per_length);
+    let borne =
+        |strains: &Vector4<f64>| vector_of_forces(&forces_of(&here, &strains_of(&strains.component_mul(&scales))));
+    let wanted = vector_of_forces(forces) - vector_of_forces(&forces_of(&linear, viscous));
+    let mut found = vector_of_strains(strains).component_div(&scales);
+    for _ in 0..MOST_CORRECTIONS {
+        let mut residual = wanted - borne(&found);
+        let mut tangent = Matrix4::zeros();
+        for column in 0..4 {
+            let mut aside = Vector4::zeros();
+            aside[column] = ASIDE;
+            tangent.set_column(column, &((borne(&(found + aside)) - borne(&(found - aside))) / (2.0 * ASIDE)));
+            if tangent.column(column) == Vector4::zeros() {
+                (tangent[(column, column)], residual[column]) = (1.0, 0.0);
+            }
+        }
+        let correction = tangent.lu().solve(&residual)?;
+        found += correction;
+        if correction.amax() <= CONVERGED * found.amax() {
+            return Some(strains_of(&found.component_mul(&scales)));
+        }
+    }
+    None
+}
+
+/// Corrections after which a section whose law is not linear is given up.
+const MOST_CORRECTIONS: usize = 12;
+/// Strains on both sides between which a section is taken as linear, 1.
+const ASIDE: f64 = 1e-6;
+/// A correction of this share of the strains is round-off.
+const CONVERGED: f64 = 1e-13;
+
+fn vector_of_forces(&SectionForces { axial, moment: [torque, about_y, about_z] }: &SectionForces) -> Vector4<f64> {
+    Vector4::new(axial, torque, about_y, about_z)
+}
+
+fn vector_of_strains(
+    &SectionStrains { axial, torsion, curvature: [about_y, about_z] }: &SectionStrains,
+) -> Vector4<f64> {
+    Vector4::new(axial, torsion, about_y, about_z)
+}
+
+fn strains_of(vector: &Vector4<f64>) -> SectionStrains {
+    SectionStrains { axial: vector[0], torsion: vector[1], curvature: [vector[2], vector[3]] }
+}
+
+/// Strains whose elastic forces would be the viscous ones of the section of `element` at `xi`, where the strains of its
+/// points have the rates `rates`.
+pub fn viscous(element: &Element, xi: f64, rates: &[f64; STRAINS]) -> SectionStrains {
+    let [tension, all] = element.viscosities();
+    let along = |weights: [f64; 3], first: usize, stride: usize| -> f64 {
+        weights.iter().enumerate().map(|(point, weight)| weight * rates[first + stride * point]).sum()
+    };
+    let of_points = lagrange(&GAUSS_POINTS, xi);
+    let [about_z, minus_about_y, torsion] = [0, 1, 2].map(|strain| all * along(of_points, 3 + strain, 3));
+    SectionStrains {
+        axial: tension * along(lagrange(&LOBATTO_POINTS, xi), 0, 1),
+        // The strains of points are those in principal axes.
+        curvature: turned([-minus_about_y, about_z], -element.section_at(xi).principal),
+        torsion,
+    }
+}
+
+/// Turn of the section at `xi` of `element`, whose twist is linear, under the torque `torque`, N m, of its sections,
+/// rad: the twist of the torque less the mean one, the torsion being a parabola of the element.
+pub fn turn_of_torque(element: &Element, xi: f64, torque: &dyn Fn(f64) -> f64) -> f64 {
+    let torsion = LOBATTO_POINTS.map(|xi| torque(xi) / element.section_at(xi).stiffness.torsion);
+    let weighted = |weights: [f64; 3]| -> f64 { weights.iter().zip(torsion).map(|(weight, own)| weight * own).sum() };
+    let (square, cube) = (xi * xi, xi * xi * xi);
+    let up_to =
+        [xi - 1.5 * square + 2.0 / 3.0 * cube, 2.0 * square - 4.0 / 3.0 * cube, 2.0 / 3.0 * cube - 0.5 * square];
+    let turn = element.length * (weighted(up_to) - xi * weighted(LOBATTO_WEIGHTS));
+    // Of a section that nothing resists, the turn is not known.
+    if turn.is_finite() { turn } else { 0.0 }
 }
 
 /// The components about y and z along axes that are turned by `angle`, rad, about the tangent.

@@ -26,12 +26,11 @@ impl Element {
             (rule.principal, rule.turn) = (here.turn + here.principal, here.turn);
         }
         // Five points are exact to order 10, where the shape functions' products have 6.
-        let stations = FIVE_POINTS.map(|xi| (xi, along.at(xi).densities));
-        let weighted = stations
-            .iter()
-            .zip(FIVE_WEIGHTS)
-            .map(|((xi, densities), weight)| (*xi, densities.map(|density| density * weight * self.length)));
-        self.inertia = Arc::new(Inertia::of_stations(weighted, self.length));
+        let mut stations = FIVE_POINTS.map(|xi| along.at(xi).densities);
+        for (densities, weight) in stations.iter_mut().zip(FIVE_WEIGHTS) {
+            densities.iter_mut().for_each(|density| *density *= weight * self.length);
+        }
+        self.inertia = Arc::new(Inertia::of_stations(stations, self.length));
         self.along = Some(along);
         self.set_reference(reference, frames, holonomy);
         self

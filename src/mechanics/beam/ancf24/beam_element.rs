@@ -9,10 +9,11 @@ use crate::math::quadrature::{GAUSS_POINTS, GAUSS_WEIGHTS};
 use crate::math::rotation::carry;
 use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3, hermite};
+use crate::mechanics::beam::balance::{Balance, Instant};
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage, TimeStep};
 use crate::mechanics::beam::element::BeamElement;
 use crate::mechanics::beam::line_load::{ElementForces, LOAD_POINTS, LineLoad};
-use crate::mechanics::beam::resultants::{SectionForces, SectionShape, SectionStrains};
+use crate::mechanics::beam::resultants::{SectionShape, SectionStrains};
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian, MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
@@ -187,6 +188,10 @@ impl BeamElement for Element {
         [self.energy(q), viscous.iter().zip(velocity).map(|(force, velocity)| force * velocity).sum()]
     }
 
+    fn balance(&self, c: &BeamConfiguration, instant: &Instant, inside: &ElementForces) -> Balance {
+        self.balance_with(c, instant, inside)
+    }
+
     fn load_points(&self) -> [(f64, f64); LOAD_POINTS] {
         // Three points, as of ANCF14: a constant load then acts as the weight does.
         [0, 1, 2].map(|g| (GAUSS_POINTS[g], GAUSS_WEIGHTS[g] * self.length))
@@ -242,16 +247,6 @@ impl BeamElement for Element {
             curvature: [0, 1].map(|i| now.curvature[i] / j0 - drawn.curvature[i] / j0),
             torsion: now.torsion / j0 - drawn.torsion / j0,
         }
-    }
-
-    fn section_forces(&self, c: &BeamConfiguration, xi: f64, _drawn: &SectionShape) -> SectionForces {
-        section::forces(self, self.own(c.q), xi)
-    }
-
-    fn torsion_rigidity(&self, _xi: f64) -> f64 {
-        let (law, fibers) = (&self.properties.law, &self.properties.fibers);
-        // Moduli of the shears zx and xy.
-        fibers.area * (law[(4, 4)] * fibers.y * fibers.y + law[(5, 5)] * fibers.z * fibers.z)
     }
 
     fn twist(&self, c: &BeamConfiguration, xi: f64) -> f64 {

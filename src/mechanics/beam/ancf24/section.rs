@@ -3,9 +3,8 @@
 use super::coordinates::{Directors, Interpolation, part};
 use super::element::Element;
 use super::frame::SectionFrame;
-use super::station::Station;
 use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS};
-use crate::mechanics::beam::resultants::{SectionForces, SectionShape};
+use crate::mechanics::beam::resultants::SectionShape;
 
 /// The triad of the section with the directors `d`.
 pub fn frame(d: &Directors) -> SectionFrame {
@@ -26,17 +25,4 @@ pub fn twist(element: &Element, q: &[f64], xi: f64) -> f64 {
     let rate = |xi: f64| shape(element, q, xi).torsion - shape(element, &element.reference, xi).torsion;
     let sum: f64 = FIVE_POINTS.into_iter().zip(FIVE_WEIGHTS).map(|(point, weight)| weight * rate(xi * point)).sum();
     sum * xi * element.length
-}
-
-/// Force and moments of the stresses of the section at `xi`, about its axis.
-pub fn forces(element: &Element, q: &[f64], xi: f64) -> SectionForces {
-    let properties = &element.properties;
-    // Per length of the axis.
-    let station = Station::new(xi, element.length, &element.reference, &properties.fibers, &properties.law, 1.0);
-    let directors = station.interpolation.directors(q);
-    let stresses = station.stresses(&station.strains(&directors, &Directors::zeros()));
-    let forces = station.forces(&directors, &stresses);
-    let moment = part(&directors, 1).cross(&part(&forces, 3)) + part(&directors, 2).cross(&part(&forces, 4));
-    let axes = frame(&directors).axes;
-    SectionForces { axial: part(&forces, 0).dot(&axes.column(0)), moment: axes.tr_mul(&moment).into() }
 }

@@ -6,10 +6,11 @@ use super::acting::Acting;
 use super::joint::{self, Coordinate, JointSpec};
 use super::namesakes::which;
 use super::section::Shape;
+use crate::mechanics::marker::sensor::Facing;
 use crate::model::file::quantity::{QUANTITIES, Quantity, Row, Site};
 use crate::model::file::reader::anchor::{Along, Anchor, OBSERVING, Spot, WATCHED};
 use crate::model::file::reader::{Reader, either, listing};
-use crate::model::file::schema::{Key, PLACES, Role, Rule};
+use crate::model::file::schema::{Key, PLACES, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
 use crate::model::text::names::{Kind, Names, suggestion};
 use crate::model::text::tree::{Item, Node};
@@ -21,8 +22,12 @@ pub(super) const KEYS: &[Key] = &[
     Key::name("of", Role::Name(PLACES), "the beam or body that it measures as a whole, instead of `at`"),
     Key::number(&[&STATIONS]),
     Key::name("in", Role::Name(PLACES), "what the observer moves with"),
+    Key::word("side", &words_of(&SIDES), "the side of a section at which something acts"),
     Key::word("quantities", &[], "what it measures: a list of words"),
 ];
+
+/// The sides of a section, as seen from the start of the beam.
+const SIDES: [(&str, Facing); 2] = [("before", Facing::Before), ("after", Facing::After)];
 
 /// More stations than this are a slip of the finger: each is a row of the table of variables.
 const MOST_STATIONS: f64 = 1e4;
@@ -41,6 +46,8 @@ pub struct OutputSpec {
     pub target: Target,
     /// Who measures it, if not somebody at rest who sees global axes.
     pub observer: Option<ObserverSpec>,
+    /// The side of its sections that is measured where something acts on them.
+    pub side: Facing,
     /// What is measured, in the order of the file; all of it can be measured there.
     pub quantities: Vec<Quantity>,
 }
@@ -103,9 +110,14 @@ impl OutputSpec {
             }
             Some(entry) => quantities(&mut reader, &entry.item, target, parts, observed),
         };
+        if !quantities.iter().any(|quantity| quantity.has_sides()) {
+            let message = "`side` belongs to section forces, section moments and strains";
+            reader.refuse("side", message, "no quantity of this output has sides");
+        }
+        let side = reader.word("side", &SIDES, Some(Facing::default())).unwrap_or_default();
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, target: target?, observer, quantities })
+        Some(Self { name: name.to_owned(), place, target: target?, observer, side, quantities })
     }
 
     /// The number of its sensors: also what a joint transmits is seen from one, if somebody sees it who moves.
