@@ -54,4 +54,21 @@ pub fn write(section: &mut Section) {
         largest
     };
     section.say(&study::twists(&[2, 4, 8, 16], error));
+    section.say(
+        "Largest error of `section_moment` at the clamp under the same loads, of the moment of the load there, `r x P` with the place `r` of the end of the rod. Axial force and shear are those of the load \
+         on any mesh:",
+    );
+    let moment = |elements: u32, twist: &str| {
+        let curves = run(elements, twist, constants[0]);
+        let largest = curves.last("P");
+        let off = rows.iter().map(|k| {
+            let row = curves.time.iter().position(|time| (time * largest - loads[*k]).abs() < 1e-6 * largest).unwrap();
+            let found = Vec3::from_fn(|axis, _| curves.column(&format!("foot.section_moment[{}]", axis + 1))[row]);
+            // The tangent at the clamp is along x; y and z of the section are those of the ground.
+            let exact = Vec3::new(x[*k], y[*k], z[*k]).cross(&(Vec3::z() * loads[*k]));
+            (found - exact).norm() / exact.norm()
+        });
+        off.fold(0.0, f64::max)
+    };
+    section.say(&study::twists(&[2, 4, 8, 16], moment));
 }
