@@ -63,6 +63,8 @@ pub struct BeamDesign {
     pub section: Section,
     /// The section along the beam; none where it is the same everywhere.
     pub profile: Option<Profile>,
+    /// Whether its sections have an inertia against turns of the tangent.
+    pub rotary_inertia: bool,
     /// Damping in proportion to mass: force over mass and velocity, 1/s.
     pub mass_damping: f64,
     /// Damping of the axial strain beyond that of the material, s.
@@ -88,6 +90,11 @@ impl BeamDesign {
         self.section.densities(&self.material)
     }
 
+    /// `[∫ρ y² dA, ∫ρ z² dA, ∫ρ y z dA]`, kg m.
+    pub fn mass_moments(&self) -> [f64; 3] {
+        if self.rotary_inertia { self.section.mass_moments(&self.material) } else { [0.0; 3] }
+    }
+
     /// Stiffness of an ANCF14 section.
     pub fn stiffness(&self, strain: Strain, twist: Twist, torsion: Torsion) -> Stiffness {
         stiffness(&self.material, &self.section, strain, twist, torsion)
@@ -97,6 +104,7 @@ impl BeamDesign {
     /// [`Self::stiffness`] and [`Self::densities`].
     pub fn along(&self, fractions: [f64; 2], strain: Strain, twist: Twist, torsion: Torsion) -> Option<Along> {
         let (profile, material) = (self.profile.clone()?, self.material);
+        let rotary_inertia = self.rotary_inertia;
         let turns = fractions.map(|fraction| profile.at(fraction).twist);
         Some(Along::new(move |xi| {
             let section = profile.inside(fractions, xi);
@@ -104,6 +112,7 @@ impl BeamDesign {
             SectionAt {
                 stiffness: stiffness(&material, &section, strain, twist, torsion),
                 densities: section.densities(&material),
+                mass_moments: if rotary_inertia { section.mass_moments(&material) } else { [0.0; 3] },
                 // Nodes turn as the section does; between them the turn of the element is a straight line.
                 turn: section.twist - (turns[0] + (turns[1] - turns[0]) * xi),
                 principal,

@@ -149,8 +149,9 @@ pub struct Section {
     pub tension_center: [f64; 2],
     /// Turn about the tangent from the beam's own section to this one, rad.
     pub twist: f64,
-    /// Mass per length, kg/m, and its polar moment, kg m, where they do not follow from the density.
-    pub inertia: Option<[f64; 2]>,
+    /// Mass per length, kg/m, its polar moment, and its moments about y and z, kg m, where they do not follow from the
+    /// density.
+    pub inertia: Option<[f64; 4]>,
     /// Its outline; the integrals may be given differently.
     pub outline: Outline,
 }
@@ -173,7 +174,19 @@ impl Section {
 
     /// Mass per length, kg/m, and its polar moment, kg m, of a section of `material`.
     pub fn densities(&self, material: &Material) -> [f64; 2] {
-        self.inertia.unwrap_or([self.area, self.polar_moment].map(|integral| material.density * integral))
+        match self.inertia {
+            Some([line_density, spin, ..]) => [line_density, spin],
+            None => [self.area, self.polar_moment].map(|integral| material.density * integral),
+        }
+    }
+
+    /// `[∫ρ y² dA, ∫ρ z² dA, ∫ρ y z dA]` of a section of `material`, kg m.
+    pub fn mass_moments(&self, material: &Material) -> [f64; 3] {
+        match self.inertia {
+            Some([.., about_y, about_z]) => [about_z, about_y, 0.0],
+            None => [self.second_moment_z, self.second_moment_y, self.product_moment]
+                .map(|integral| material.density * integral),
+        }
     }
 
     /// Angle about the tangent from y to the principal axis nearest to it, rad, and the second moments about the

@@ -8,6 +8,7 @@ use crate::mechanics::geometry::pose::axis_place;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
+use crate::mechanics::system::mass::MassAt;
 use std::ops::Range;
 
 /// Components that are larger than this share of the largest one are named with it.
@@ -81,7 +82,7 @@ impl System {
 
     /// What `motion` moves most: by displacement, or by turning where most of its kinetic energy is in that.
     pub fn most_moved(&self, c: &Configuration, motion: &[f64]) -> Extreme {
-        let turns = self.turning_share(motion) > 0.5;
+        let turns = self.turning_share(c, motion) > 0.5;
         let mut largest = (Vec3::zeros(), 0, 0.0);
         for (place, moved) in self.place_motions(c, motion).into_iter().enumerate() {
             let vector = if turns { moved.turn } else { moved.displacement };
@@ -107,9 +108,9 @@ impl System {
 
     /// Share of the kinetic energy of velocities `motion` that is in the spin of sections and the turning of bodies, 0
     /// to 1.
-    fn turning_share(&self, motion: &[f64]) -> f64 {
+    fn turning_share(&self, c: &Configuration, motion: &[f64]) -> f64 {
         let mut momentum = vec![0.0; motion.len()];
-        self.mass_times(&[], motion, &mut momentum);
+        self.mass_times(MassAt::from(c), motion, &mut momentum);
         let (mut turning, mut whole) = (0.0, 0.0);
         let mut count = |index: usize, is_turn: bool| {
             let energy = motion[index] * momentum[index];

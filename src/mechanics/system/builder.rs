@@ -180,7 +180,7 @@ impl SystemBuilder {
                     ancf14::element::Element::new(place, length, stiffness, densities, reference, frames, 0.0);
                 let element = match design.along(fractions, strain, twist, torsion) {
                     Some(along) => element.with_sections(along, reference, frames, 0.0),
-                    None => element,
+                    None => element.with_rotary_inertia(design.mass_moments()),
                 };
                 let mut element = element.prestressed(&design.prestress);
                 element.tension_damping = design.tension_damping;

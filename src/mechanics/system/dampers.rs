@@ -9,6 +9,7 @@ use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::system::System;
+use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::tangent_layout::TangentLayout;
 
 impl System {
@@ -17,24 +18,22 @@ impl System {
         self.mesh.elements.iter().enumerate().filter(|(_, element)| element.is_damped())
     }
 
-    /// The elements that are damped in proportion to their mass, with their numbers and the rates, 1/s.
-    fn dragged_elements(&self) -> impl Iterator<Item = (usize, &AnyElement, f64)> + '_ {
+    /// The numbers of the elements that are damped in proportion to their mass, with the rates, 1/s.
+    fn dragged_elements(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let beams = self.beams.iter().filter(|beam| beam.mass_damping != 0.0);
-        beams.flat_map(|beam| {
-            beam.element_range().map(|number| (number, &self.mesh.elements[number], beam.mass_damping))
-        })
+        beams.flat_map(|beam| beam.element_range().map(|number| (number, beam.mass_damping)))
     }
 
     /// Adds the forces of damping in proportion to mass, `a M v`; over a step the velocity is the change of the
     /// coordinates over its length.
     pub(super) fn add_mass_damping(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
-        for (_, element, rate) in self.dragged_elements() {
-            let rate = rate * element.extent(c.beams.drives);
-            match passage {
-                Passage::Rest | Passage::Corrected(_) => {}
-                Passage::Instant { velocity, .. } => element.add_mass_times(rate, velocity, forces),
-                Passage::Step(step) => element.add_mass_times(rate / step.duration, step.increment, forces),
-            }
+        let (vector, duration) = match passage {
+            Passage::Rest | Passage::Corrected(_) => return,
+            Passage::Instant { velocity, .. } => (*velocity, 1.0),
+            Passage::Step(step) => (step.increment, step.duration),
+        };
+        for (number, rate) in self.dragged_elements() {
+            self.add_element_mass_times(number, MassAt::from(c), rate / duration, vector, forces);
         }
     }
 
@@ -49,23 +48,30 @@ impl System {
     ) {
         let Passage::Step(step) = passage else { return };
         let layout = TangentLayout::of(self);
-        for (number, element, rate) in self.dragged_elements() {
-            let rate = rate * element.extent(c.beams.drives);
-            element.add_mass(2.0 * scale * rate / step.duration, tangent.block_mut(layout.element(number)));
+        for (number, rate) in self.dragged_elements() {
+            let block = tangent.block_mut(layout.element(number));
+            self.add_element_mass(number, MassAt::from(c), 2.0 * scale * rate / step.duration, block);
         }
     }
 
     /// Energy that damping in proportion to mass takes over a step that changes the coordinates by `increment` in
     /// `duration` s, J.
     pub(super) fn taken_by_mass_damping(&self, c: &Configuration, increment: &[f64], duration: f64) -> f64 {
-        let rate = |element: &AnyElement, rate: f64| rate * element.extent(c.beams.drives) / duration;
-        self.dragged_elements().map(|(_, element, own)| rate(element, own) * element.mass_form(increment)).sum()
+        self.mass_damping_form(c, increment, duration)
     }
 
     /// Power that damping in proportion to mass takes, W.
     pub(super) fn power_of_mass_damping(&self, c: &Configuration, velocity: &[f64]) -> f64 {
-        let rate = |element: &AnyElement, rate: f64| rate * element.extent(c.beams.drives);
-        self.dragged_elements().map(|(_, element, own)| rate(element, own) * element.mass_form(velocity)).sum()
+        self.mass_damping_form(c, velocity, 1.0)
+    }
+
+    /// `a xᵀ M x/duration` of the change `change` of the coordinates.
+    fn mass_damping_form(&self, c: &Configuration, change: &[f64], duration: f64) -> f64 {
+        let form = |(number, rate): (usize, f64)| {
+            let extent = self.mesh.elements[number].extent(c.beams.drives);
+            rate * extent / duration * self.element_mass_form(number, c.beams.frames, change)
+        };
+        self.dragged_elements().map(form).sum()
     }
 
     /// Whether a beam is damped in proportion to its mass.
@@ -158,8 +164,9 @@ impl System {
         of_spring: impl Fn(&Spring, &RelativeCoordinate) -> [MarkerMatrix; 4],
     ) {
         let layout = TangentLayout::of(self);
-        for (number, element, rate) in self.dragged_elements() {
-            element.add_mass(factor * rate * element.extent(c.beams.drives), tangent.block_mut(layout.element(number)));
+        for (number, rate) in self.dragged_elements() {
+            let block = tangent.block_mut(layout.element(number));
+            self.add_element_mass(number, MassAt::from(c), factor * rate, block);
         }
         for (number, spring) in self.springs.iter().enumerate().filter(|(_, spring)| spring.is_damped()) {
             let counts = self.sides(spring.coordinate).map(|marker| marker.coordinates(&self.mesh).len());

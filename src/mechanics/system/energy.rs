@@ -1,14 +1,15 @@
 //! Energies and momenta of a system.
 
 use crate::math::Vec3;
-use crate::math::jet::Jet;
 use crate::math::vectors::vec3;
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::geometry::pose::axis_place;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
+use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::winches::is_at_rest;
+use std::ops::Range;
 
 /// A part that has mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,14 +35,15 @@ impl System {
 
     /// Kinetic energy with the velocities `velocity` at `c`, J.
     pub fn kinetic_energy(&self, c: &Configuration, velocity: &[f64]) -> f64 {
-        let of_mesh = self.kinetic_energy_of_mesh(c.beams.drives, velocity);
+        let of_mesh = self.kinetic_energy_of_mesh(MassAt::from(c), velocity);
         if self.winches.is_empty() { of_mesh } else { of_mesh + self.transport_energy(c, velocity) }
     }
 
-    /// `vᵀ M v / 2` at the values `drives` of the drives, J.
-    pub fn kinetic_energy_of_mesh(&self, drives: &[Jet], velocity: &[f64]) -> f64 {
-        let beams: f64 =
-            self.mesh.elements.iter().map(|element| element.extent(drives) * element.mass_form(velocity)).sum();
+    /// `vᵀ M v / 2`, J.
+    pub fn kinetic_energy_of_mesh(&self, at: MassAt, velocity: &[f64]) -> f64 {
+        let elements = self.mesh.elements.iter().enumerate();
+        let form = |number| self.element_mass_form(number, at.frames, velocity);
+        let beams: f64 = elements.map(|(number, element)| element.extent(at.drives) * form(number)).sum();
         let bodies = self.bodies.iter().flat_map(|body| {
             let own = velocity[body.start..body.start + BODY].iter().enumerate();
             own.map(|(local, velocity)| body.inertia(local) * velocity * velocity)
@@ -70,8 +72,11 @@ impl System {
 
     /// The share of a part in [`System::kinetic_energy`], J.
     pub fn kinetic_energy_of(&self, part: Part, c: &Configuration, velocity: &[f64]) -> f64 {
-        let twice = |element: &AnyElement| element.extent(c.beams.drives) * element.mass_form(velocity);
-        let beam = self.elements_of(part).iter().fold(0.0, |sum, element| sum + twice(element));
+        let twice = |number: usize| {
+            let extent = self.mesh.elements[number].extent(c.beams.drives);
+            extent * self.element_mass_form(number, c.beams.frames, velocity)
+        };
+        let beam = self.element_numbers(part).fold(0.0, |sum, number| sum + twice(number));
         let Part::Body(body) = part else {
             let paid_out = self.elements_of(part).iter().filter_map(AnyElement::paid_out);
             let transports = paid_out.filter(|_| !is_at_rest(velocity));
@@ -113,9 +118,14 @@ impl System {
 
     /// The elements of a part.
     fn elements_of(&self, part: Part) -> &[AnyElement] {
+        &self.mesh.elements[self.element_numbers(part)]
+    }
+
+    /// The numbers of the elements of a part.
+    fn element_numbers(&self, part: Part) -> Range<usize> {
         match part {
-            Part::Beam(beam) => &self.mesh.elements[self.beams[beam].element_range()],
-            Part::Body(_) => &[],
+            Part::Beam(beam) => self.beams[beam].element_range(),
+            Part::Body(_) => 0..0,
         }
     }
 

@@ -1,7 +1,6 @@
 //! The equations of a system: forces, tangent, mass and constraints, summed over its parts in file order.
 
 use crate::math::blocks::{Block, Blocks};
-use crate::math::jet::Jet;
 use crate::mechanics::beam::configuration::Purpose;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::{Joint, JointGradient};
@@ -10,8 +9,6 @@ use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
-use crate::mechanics::state::State;
-use crate::mechanics::state::lists::Lists;
 use crate::mechanics::system::System;
 use crate::mechanics::system::tangent_layout::TangentLayout;
 use nalgebra::SMatrix;
@@ -57,6 +54,7 @@ impl System {
         for element in &self.mesh.elements {
             element.add_gradient(&c.beams, &of_beams, forces);
         }
+        self.add_rotary_forces(c, passage, forces);
         self.add_mass_damping(c, passage, forces);
         if let Passage::Instant { velocity, strain_rates, .. } = passage {
             self.add_material_damping(c, velocity, *strain_rates, forces);
@@ -79,6 +77,8 @@ impl System {
         self.add_external(c, passage, excitation, forces);
         let layout = TangentLayout::of(self);
         self.add_beams_and_set_tangent(c, passage, scale, forces, tangent);
+        self.add_rotary_forces(c, passage, forces);
+        self.add_rotary_tangent(c, passage, scale, tangent);
         self.add_mass_damping(c, passage, forces);
         self.add_mass_damping_tangent(c, passage, scale, tangent);
         if let Passage::Instant { velocity, velocity_by_q, purpose: Purpose::Derivatives, .. } = passage {
@@ -199,40 +199,6 @@ impl System {
             });
         }
         self.subtract_efforts(c, passage, excitation, forces);
-    }
-
-    /// Adds `factor` times the mass matrix at the values `drives` of the drives to the blocks of elements and bodies in
-    /// `tangent`; without values: as drawn.
-    pub fn add_mass(&self, drives: &[Jet], factor: f64, tangent: &mut Blocks) {
-        let layout = TangentLayout::of(self);
-        for (number, element) in self.mesh.elements.iter().enumerate() {
-            element.add_mass(factor * element.extent(drives), tangent.block_mut(layout.element(number)));
-        }
-        for (number, body) in self.bodies.iter().enumerate() {
-            let block = tangent.block_mut(layout.body(number));
-            for local in 0..BODY {
-                block[local * BODY + local] += factor * body.inertia(local);
-            }
-        }
-    }
-
-    /// `product = M vector`, with the mass matrix of [`Self::add_mass`].
-    pub fn mass_times(&self, drives: &[Jet], vector: &[f64], product: &mut [f64]) {
-        product.fill(0.0);
-        for element in &self.mesh.elements {
-            element.add_mass_times(element.extent(drives), vector, product);
-        }
-        for body in &self.bodies {
-            for local in 0..BODY {
-                product[body.start + local] = body.inertia(local) * vector[body.start + local];
-            }
-        }
-    }
-
-    /// Sets the momentum of `state` to that of its velocities, `M v`.
-    pub fn set_momentum(&self, state: &mut State) {
-        let Lists { velocity, momentum, .. } = &mut state.lists;
-        self.mass_times(&state.prescribed.drives, velocity, momentum);
     }
 
     /// Constraint conditions `g(q)`, zero when the joints hold; m or 1.

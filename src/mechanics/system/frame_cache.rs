@@ -19,6 +19,11 @@ impl FrameCache {
         system.mesh.set_frames(q, triads, &mut self.frames);
     }
 
+    /// The frames as they are now.
+    pub fn frames(&self) -> &[NodeFrame] {
+        &self.frames
+    }
+
     /// Computes the frames of `state` and returns its configuration.
     pub fn of<'a>(&'a mut self, system: &'a System, state: &'a State) -> Configuration<'a> {
         self.at(system, &state.q, state, &state.prescribed)

@@ -14,6 +14,7 @@ pub mod inner_parts;
 pub mod joint_parts;
 mod labels;
 mod limits;
+pub mod mass;
 pub mod middle_forces;
 pub mod step_starts;
 mod sticking;

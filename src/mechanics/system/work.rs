@@ -81,6 +81,7 @@ impl System {
             *(if element.paid_out().is_some() { &mut found.by_winches } else { &mut found.by_heat }) += given;
             found.dissipated += taken;
         }
+        self.add_rotary_forces(c, &passage, forces);
         self.add_mass_damping(c, &passage, forces);
         let taken = self.taken_by_mass_damping(c, step.increment, step.duration);
         found.work -= taken;

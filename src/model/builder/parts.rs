@@ -19,6 +19,7 @@ use crate::model::shape::sections;
 impl Builder<'_> {
     pub(super) fn add_beam(&mut self, beam: &BeamSpec, line: &Centerline) {
         let document = self.document;
+        let is_paid_out = document.winches.iter().any(|winch| document.beams[winch.beam].name == beam.name);
         let written = &document.sections[beam.section];
         let length = line.spans.iter().map(|span| span.length).sum();
         let number = self.system.add_beam(&BeamDesign {
@@ -29,6 +30,8 @@ impl Builder<'_> {
             material: sections::material(document, beam).expect("the reader asks for a material"),
             section: sections::at_start(document, written),
             profile: sections::along(document, written, length),
+            // The mass that a winch moves through the mesh carries no rotary inertia.
+            rotary_inertia: beam.rotary_inertia && !is_paid_out,
             mass_damping: sections::damping(document, beam).map_or(0.0, |[_, mass]| mass),
             tension_damping: beam.tension_damping.map_or(0.0, |number| document.value(number)),
             prestress: Prestress {

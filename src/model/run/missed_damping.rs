@@ -1,6 +1,7 @@
 //! Whether vibrations have the damping ratios that a material asks for. Damping in proportion to mass acts on the
 //! masses of beams only: a vibration whose kinetic energy is mostly that of bodies has less.
 
+use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::file::entries::damping::Damping;
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::run::simulation::Simulation;
@@ -63,8 +64,10 @@ pub fn missed_ratio(simulation: &Simulation) -> Option<String> {
     });
     let (number, mode, ratio, wanted, place, strain) = missed.min_by(|a, b| (a.2 / a.3).total_cmp(&(b.2 / b.3)))?;
     let omega = mode.eigenvalue.sqrt();
-    let elements = asked.iter().flat_map(|(beam, _)| &system.mesh.elements[system.beams[*beam].element_range()]);
-    let kinetic: f64 = elements.map(|element| element.mass_form(&mode.shape)).sum();
+    let mut cache = FrameCache::default();
+    cache.set(system, &state.q, &state.triads);
+    let elements = asked.iter().flat_map(|(beam, _)| system.beams[*beam].element_range());
+    let kinetic: f64 = elements.map(|element| system.element_mass_form(element, cache.frames(), &mode.shape)).sum();
     Some(format!(
         "{}: {} is missed: mode {}, at {} Hz, has a damping ratio of {}, and {} is asked for at this frequency. Damping in proportion to mass acts on the masses of \
          beams, which have {} % of the kinetic energy of this mode; bodies have the rest. Take damping = {} instead, which acts on the strains of beams and gives this \

@@ -125,7 +125,12 @@ fn of_rigidities(rigidities: &Rigidities, value: impl Fn(Number) -> f64) -> Sect
     let [axial, torsion, line_density] = [rigidities.axial, rigidities.torsion, rigidities.line_density].map(&value);
     let [second_moment_y, second_moment_z] = rigidities.bending.map(&value);
     let polar_moment = second_moment_y + second_moment_z;
-    let spin = rigidities.polar_inertia.map_or(line_density * polar_moment / axial, &value);
+    let about = rigidities.inertia.map(|number| number.map_or(0.0, &value));
+    let spin = match (rigidities.polar_inertia, rigidities.inertia) {
+        (Some(number), _) => value(number),
+        (None, [Some(_), Some(_)]) => about[0] + about[1],
+        (None, _) => line_density * polar_moment / axial,
+    };
     let about_tension_center = like_a_rectangle(Section {
         area: axial,
         second_moment_y,
@@ -133,7 +138,7 @@ fn of_rigidities(rigidities: &Rigidities, value: impl Fn(Number) -> f64) -> Sect
         torsion_constant: torsion,
         polar_moment,
         product_moment: rigidities.coupling.map_or(0.0, &value),
-        inertia: Some([line_density, spin]),
+        inertia: Some([line_density, spin, about[0], about[1]]),
         ..Section::EMPTY
     });
     match rigidities.tension_center.map(|center| center.map(&value)) {

@@ -4,6 +4,7 @@ use crate::fmi::Failure;
 use crate::math::Vec3;
 use crate::math::vectors::vec3;
 use crate::mechanics::beam::Beam;
+use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::model::run::simulation::{Simulation, failure};
@@ -136,7 +137,7 @@ impl Simulation {
             nodes,
             lines: drawn_lines(system, &state.q),
             freedoms: found.freedoms,
-            warnings: warnings(system, &found, &ratios, moving),
+            warnings: warnings((system, state), &found, &ratios, moving),
         })
     }
 }
@@ -149,7 +150,7 @@ const MOST_OF_MANY: f64 = 0.65;
 const FEW: usize = 6;
 
 /// What the user should know of the modes found.
-fn warnings(system: &System, found: &modes::Modes, ratios: &[f64], moving: bool) -> Vec<String> {
+fn warnings((system, state): (&System, &State), found: &modes::Modes, ratios: &[f64], moving: bool) -> Vec<String> {
     let mut warnings = Vec::new();
     if found.imbalance.is_nan() || found.imbalance > BALANCED {
         warnings.push(String::from(
@@ -165,7 +166,7 @@ fn warnings(system: &System, found: &modes::Modes, ratios: &[f64], moving: bool)
             found.skewness
         ));
     }
-    warnings.extend(lonely_elements(system, &found.modes));
+    warnings.extend(lonely_elements(system, state, &found.modes));
     if moving {
         warnings.push(String::from("velocities are left out: the modes are those of the mechanism at rest"));
     }
@@ -188,10 +189,13 @@ fn warnings(system: &System, found: &modes::Modes, ratios: &[f64], moving: bool)
 /// Warns of the first mode that moves hardly anything but one element of a beam: the mesh is too coarse for it. Where
 /// the axial force vanishes, as at the free end of a hanging line, an element has a shape that costs nothing at its
 /// axial points: the mode is not one of the line.
-fn lonely_elements(system: &System, modes: &[modes::Mode]) -> Option<String> {
+fn lonely_elements(system: &System, state: &State, modes: &[modes::Mode]) -> Option<String> {
     let highest = modes.last()?.eigenvalue;
+    let mut cache = FrameCache::default();
+    cache.set(system, &state.q, &state.triads);
     modes.iter().enumerate().filter(|(_, mode)| mode.kind == Kind::Vibration).find_map(|(number, mode)| {
-        let mut shares = system.mesh.elements.iter().map(|element| element.mass_form(&mode.shape)).enumerate();
+        let form = |element| system.element_mass_form(element, cache.frames(), &mode.shape);
+        let mut shares = (0..system.mesh.elements.len()).map(form).enumerate();
         let (element, share) = shares.by_ref().max_by(|a, b| a.1.total_cmp(&b.1))?;
         let (beam, local) = system.beam_of(element);
         let count = beam.elements();

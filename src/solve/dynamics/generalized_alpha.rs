@@ -24,6 +24,7 @@ use crate::mechanics::state::energy_account::{EnergyAccount, Work};
 use crate::mechanics::state::energy_balance::{EnergyBalance, Losses};
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
+use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::{AT_BREAK, System};
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
@@ -267,8 +268,9 @@ impl Scratch {
             self.algorithmic[index] = a_end;
         }
         self.frames.set(system, &self.q, &state.triads);
-        system.mass_times(&self.prescribed.drives, &self.velocity, &mut self.momentum);
-        system.mass_times(&self.prescribed.drives, &self.acceleration, &mut self.momentum_rate);
+        let mass = MassAt::new(&self.prescribed.drives, &self.frames);
+        system.mass_times(mass, &self.velocity, &mut self.momentum);
+        system.mass_times(mass, &self.acceleration, &mut self.momentum_rate);
     }
 
     /// Forces without those of spins and joints, and gradients of these, at the current positions.
@@ -416,7 +418,7 @@ impl Problem for Step<'_> {
         system.forces_and_tangent(&configuration, &passage, &scratch.excitation, scale, forces, tangent);
         let given = (&scratch.velocity[..], &scratch.excitation);
         system.add_damping_matrix(&configuration, given, scale * by_q[0], tangent);
-        system.add_mass(&scratch.prescribed.drives, 1.0, tangent);
+        system.add_mass(MassAt::from(&configuration), 1.0, tangent);
         let motion = [&scratch.velocity[..], &scratch.momentum, &scratch.momentum_rate];
         gyroscopic::add_rate_tangent(
             system,

@@ -12,6 +12,7 @@ use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::mechanics::system::mass::MassAt;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::statics::Statics;
 use crate::solve::step::projection::Projection;
@@ -276,7 +277,9 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
     state.constraint_momenta.fill(0.0);
     integrator.begin(system, state)?;
     let change: Vec<f64> = state.velocity.iter().zip(&given).map(|(now, given)| now - given).collect();
-    let kinetic = |velocity: &[f64]| system.kinetic_energy_of_mesh(&state.prescribed.drives, velocity);
+    cache.set(system, &state.q, &state.triads);
+    let mass = MassAt::new(&state.prescribed.drives, &cache);
+    let kinetic = |velocity: &[f64]| system.kinetic_energy_of_mesh(mass, velocity);
     let (changed, given) = (kinetic(&change), kinetic(&given));
     // Whoever divides first and chooses afterwards, as compilers do, must not divide by 0: hosts may trap that.
     let share = changed / f64::max(given, f64::MIN_POSITIVE);

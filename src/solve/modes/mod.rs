@@ -11,12 +11,12 @@ pub mod subspace;
 use self::subspace::{Subspace, combination, dot};
 use crate::error::Error;
 use crate::math::blocks::Blocks;
-use crate::math::jet::Jet;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::mechanics::system::mass::MassAt;
 use crate::solve::linear::irregular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::response::{Responder, Response};
@@ -112,20 +112,22 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     let constraints = system.constraints() - system.released_constraints(&state.prescribed);
     let freedoms = system.coordinates().saturating_sub(constraints);
     let wanted = count.min(freedoms);
-    let drives = &rest.prescribed.drives;
-    let mut block = Subspace::new(system, drives, wanted + GUARDS.max(wanted).min(freedoms - wanted));
-    let [stiff, forced] = scales(system, drives, &symmetric, &response);
+    let mut cache = FrameCache::default();
+    cache.set(system, &rest.q, &rest.triads);
+    let mass = MassAt::new(&rest.prescribed.drives, &cache);
+    let mut block = Subspace::new(system, mass, wanted + GUARDS.max(wanted).min(freedoms - wanted));
+    let [stiff, forced] = scales(system, mass, &symmetric, &response);
     let largest = stiff + forced;
     // Without any stiffness every shift is as good.
     let [mut shift, mut least] =
         if largest > 0.0 { [FIRST_SHIFT, LEAST_SHIFT].map(|share| share * largest) } else { [1.0; 2] };
-    shift = positive_shift(system, drives, &mut kkt, &symmetric, shift, time)?;
+    shift = positive_shift(system, mass, &mut kkt, &symmetric, shift, time)?;
     kkt.check_unique(system, time)?;
-    let imbalance = imbalance(system, drives, &response.acceleration, &mut kkt);
+    let imbalance = imbalance(system, mass, &response.acceleration, &mut kkt);
 
     let mut last = f64::INFINITY;
     for number in 0.. {
-        let swept = block.sweep(system, &mut kkt);
+        let swept = block.sweep(system, mass, &mut kkt);
         let Ok(ritz) = swept else { return Err(Error::ModesNotFound { time, error: last }) };
         // The first sweep has only brought the vectors to the constraints.
         if number == 0 {
@@ -143,7 +145,7 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
         if number >= MOST_SWEEPS {
             return Err(Error::ModesNotFound { time, error });
         } else if WORTHWHILE * better < shift {
-            let lower = positive_shift(system, drives, &mut kkt, &symmetric, better, time)?;
+            let lower = positive_shift(system, mass, &mut kkt, &symmetric, better, time)?;
             if WORTHWHILE * better < lower {
                 // Below this one round-off counts motions that release energy: another attempt would end here again.
                 least = lower;
@@ -172,7 +174,7 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
 /// The matrix is singular.
 pub fn positive_shift(
     system: &System,
-    drives: &[Jet],
+    mass: MassAt,
     kkt: &mut Kkt,
     stiffness: &Blocks,
     mut shift: f64,
@@ -180,7 +182,7 @@ pub fn positive_shift(
 ) -> Result<f64, Error> {
     for _ in 0..MOST_SHIFTS {
         kkt.blocks.clone_from(stiffness);
-        system.add_mass(drives, shift, &mut kkt.blocks);
+        system.add_mass(mass, shift, &mut kkt.blocks);
         kkt.factorize(system, time)?;
         if kkt.releasing_motions(system).is_none_or(|count| count == 0) {
             break;
@@ -191,18 +193,18 @@ pub fn positive_shift(
 }
 
 /// The `μ` to begin with where nothing is known but the stiffness, 1/s².
-pub fn first_shift(system: &System, drives: &[Jet], stiffness: &Blocks) -> f64 {
-    let (vector, mass) = without_pattern(system, drives);
-    FIRST_SHIFT * stiffness.magnitude(&vector) / mass
+pub fn first_shift(system: &System, mass: MassAt, stiffness: &Blocks) -> f64 {
+    let (vector, square) = without_pattern(system, mass);
+    FIRST_SHIFT * stiffness.magnitude(&vector) / square
 }
 
 /// A motion without pattern, and `xᵀ M x` of it.
-fn without_pattern(system: &System, drives: &[Jet]) -> (Vec<f64>, f64) {
+fn without_pattern(system: &System, mass: MassAt) -> (Vec<f64>, f64) {
     let vector: Vec<f64> = (0..system.coordinates()).map(|index| irregular(index) * size(system, index)).collect();
-    let mut mass = vec![0.0; vector.len()];
-    system.mass_times(drives, &vector, &mut mass);
-    let mass = dot(&vector, &mass);
-    (vector, mass)
+    let mut momentum = vec![0.0; vector.len()];
+    system.mass_times(mass, &vector, &mut momentum);
+    let square = dot(&vector, &momentum);
+    (vector, square)
 }
 
 /// What coordinate `index` is measured in: the system's size, m, or 1.
@@ -225,19 +227,19 @@ fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt)
 
 /// `ω²` of a motion without pattern, if nothing canceled, 1/s²: by the stiffness, and by what the forces that act, of
 /// constraints and of inertia, would do in such a motion: a stiffness far below that is round-off of theirs.
-fn scales(system: &System, drives: &[Jet], stiffness: &Blocks, response: &Response) -> [f64; 2] {
-    let (vector, mass) = without_pattern(system, drives);
+fn scales(system: &System, mass: MassAt, stiffness: &Blocks, response: &Response) -> [f64; 2] {
+    let (vector, square) = without_pattern(system, mass);
     let mut inertia = vec![0.0; vector.len()];
-    system.mass_times(drives, &response.acceleration, &mut inertia);
+    system.mass_times(mass, &response.acceleration, &mut inertia);
     let transmitted: f64 = response.multipliers.iter().map(|force| force.abs() * system.size).sum();
     let accelerating: f64 = inertia.iter().enumerate().map(|(index, force)| force.abs() * size(system, index)).sum();
-    [stiffness.magnitude(&vector) / mass, (transmitted + accelerating) / mass]
+    [stiffness.magnitude(&vector) / square, (transmitted + accelerating) / square]
 }
 
 /// Size of the correction by which Newton would go to the equilibrium from where the system has this `acceleration`.
-fn imbalance(system: &System, drives: &[Jet], acceleration: &[f64], kkt: &mut Kkt) -> f64 {
+fn imbalance(system: &System, mass: MassAt, acceleration: &[f64], kkt: &mut Kkt) -> f64 {
     let mut right = vec![0.0; system.coordinates() + system.constraints()];
-    system.mass_times(drives, acceleration, &mut right[..system.coordinates()]);
+    system.mass_times(mass, acceleration, &mut right[..system.coordinates()]);
     // Without a solution it is far from any.
     if kkt.solve_again(&mut right).is_err() { f64::INFINITY } else { system.correction_size(&right).0 }
 }

@@ -4,8 +4,8 @@
 //!
 //! The vectors stay a block, so that motions of one frequency come out together, as many as there are.
 
-use crate::math::jet::Jet;
 use crate::mechanics::system::System;
+use crate::mechanics::system::mass::MassAt;
 use crate::solve::linear::{Singular, irregular};
 use crate::solve::newton::kkt::Kkt;
 use nalgebra::{DMatrix, SymmetricEigen};
@@ -29,18 +29,16 @@ pub struct Subspace {
     vectors: Vec<Vec<f64>>,
     /// `M` times each.
     masses: Vec<Vec<f64>>,
-    /// The values of the drives that the mass is at.
-    drives: Vec<Jet>,
 }
 
 impl Subspace {
     /// `count` vectors without pattern; the first sweep makes them motions that the constraints allow, and its numbers
     /// mean nothing.
-    pub fn new(system: &System, drives: &[Jet], count: usize) -> Self {
+    pub fn new(system: &System, mass: MassAt, count: usize) -> Self {
         let odd = |vector: usize, index: usize| irregular((2 * vector + 1) * index + vector) - 1.0;
         let vectors = (0..count).map(|vector| (0..system.coordinates()).map(|index| odd(vector, index)).collect());
-        let mut block = Self { drives: drives.to_vec(), ..Self::default() };
-        vectors.for_each(|vector| block.take(system, vector));
+        let mut block = Self::default();
+        vectors.for_each(|vector| block.take(system, mass, vector));
         block
     }
 
@@ -54,11 +52,11 @@ impl Subspace {
     ///
     /// # Errors
     /// The factorization gives no accurate solutions; the block is as it was.
-    pub fn sweep(&mut self, system: &System, kkt: &mut Kkt) -> Result<Vec<Ritz>, Singular> {
+    pub fn sweep(&mut self, system: &System, mass: MassAt, kkt: &mut Kkt) -> Result<Vec<Ritz>, Singular> {
         let (coordinates, count) = (system.coordinates(), self.vectors.len());
         let mut images = Vec::with_capacity(count);
-        for mass in &self.masses {
-            let mut image = mass.clone();
+        for momentum in &self.masses {
+            let mut image = momentum.clone();
             image.resize(coordinates + system.constraints(), 0.0);
             kkt.solve_again(&mut image)?;
             image.truncate(coordinates);
@@ -75,7 +73,6 @@ impl Subspace {
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_by(|a, b| eigen.eigenvalues[*b].abs().total_cmp(&eigen.eigenvalues[*a].abs()));
         let before = std::mem::take(self);
-        self.drives.clone_from(&before.drives);
         let mut outcome = Vec::with_capacity(count);
         for own in order {
             let weights = eigen.eigenvectors.column(own);
@@ -84,11 +81,11 @@ impl Subspace {
             let image = mixed(&images);
             let strayed: Vec<f64> =
                 image.iter().zip(mixed(&before.vectors)).map(|(image, x)| image - inverse * x).collect();
-            let mut mass = vec![0.0; coordinates];
-            system.mass_times(&self.drives, &strayed, &mut mass);
-            let error = dot(&strayed, &mass).max(0.0).sqrt() / inverse.abs();
+            let mut momentum = vec![0.0; coordinates];
+            system.mass_times(mass, &strayed, &mut momentum);
+            let error = dot(&strayed, &momentum).max(0.0).sqrt() / inverse.abs();
             let held = self.vectors.len();
-            self.take(system, image);
+            self.take(system, mass, image);
             if self.vectors.len() > held {
                 outcome.push(Ritz { inverse, error });
             }
@@ -97,9 +94,9 @@ impl Subspace {
     }
 
     /// Adds `vector`, made orthonormal to the others, unless it is made of them.
-    fn take(&mut self, system: &System, mut vector: Vec<f64>) {
+    fn take(&mut self, system: &System, at: MassAt, mut vector: Vec<f64>) {
         let mut mass = vec![0.0; vector.len()];
-        system.mass_times(&self.drives, &vector, &mut mass);
+        system.mass_times(at, &vector, &mut mass);
         let whole = dot(&vector, &mass);
         // Twice: what the first time leaves by round-off is gone after the second.
         for _ in 0..2 {
@@ -108,7 +105,7 @@ impl Subspace {
                 vector.iter_mut().zip(other).for_each(|(value, other)| *value -= share * other);
             }
         }
-        system.mass_times(&self.drives, &vector, &mut mass);
+        system.mass_times(at, &vector, &mut mass);
         let left = dot(&vector, &mass);
         if left > DEPENDENT * DEPENDENT * whole {
             let scale = 1.0 / left.sqrt();

@@ -102,4 +102,12 @@ impl Mover {
         system.constraint_gradients(&configuration, gradients);
         configuration
     }
+
+    /// The frames at `state` where the mass matrix depends on them.
+    pub fn mass_frames(&mut self, system: &System, state: &State) -> &FrameCache {
+        if system.has_following_inertia() {
+            self.frames.set(system, &state.q, &state.triads);
+        }
+        &self.frames
+    }
 }

@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::variation::Variation;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
@@ -69,9 +70,9 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
         integrator.factorize(system, from, *span, unknowns)?;
         moved_unknowns.resize(unknowns.len(), 0.0);
         if I::PROJECTS {
-            mover.gradients_at(system, after, gradients_after);
+            let configuration = mover.gradients_at(system, after, gradients_after);
             flow.blocks.clear();
-            system.add_mass(&after.prescribed.drives, 1.0, &mut flow.blocks);
+            system.add_mass(MassAt::from(&configuration), 1.0, &mut flow.blocks);
             flow.set_constraints(system, gradients_after, gradients_after, 1.0);
             flow.factorize(system, span.end)?;
             // P = M v + Gᵀ ν before the momentum was steadied.
@@ -131,6 +132,7 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
             self;
         let Self { scratch: Scratch { constraint_momenta, gradients, mover, arrived, variation, .. }, .. } = self;
         let coordinates = system.coordinates();
+        let has_changing_mass = !system.winches.is_empty() || system.has_following_inertia();
         let unit = step.reach(system, number, own, change, span.step);
         variation.set_zero(after);
         sum.fill(0.0);
@@ -147,9 +149,9 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
                 system.constraint_rates(&configuration, rates);
                 system.add_constraint_rates(gradients, &after.velocity, rates);
                 forces.fill(0.0);
-                if !system.winches.is_empty() {
-                    // The mass of what is paid out: dP = M dv + dM v.
-                    system.mass_times(&arrived.prescribed.drives, &after.velocity, forces);
+                if has_changing_mass {
+                    // dP = M dv + dM v.
+                    system.mass_times(MassAt::from(&configuration), &after.velocity, forces);
                     add_scaled(&mut constraint_forces[..coordinates], forces, weight);
                 }
                 system.add_constraint_forces(gradients, constraint_momenta, 1.0, forces);
@@ -168,7 +170,7 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
     /// `dP = M dv + Gᵀ ds + dGᵀ s` with the steadied `s`.
     fn project(&mut self) -> Result<(), Error> {
         let Self { system, after, span, flow, .. } = self;
-        let Scratch { sum, constraint_forces, gradients_after, variation, .. } = &mut *self.scratch;
+        let Scratch { sum, constraint_forces, gradients_after, mover, variation, .. } = &mut *self.scratch;
         let coordinates = system.coordinates();
         add_scaled(sum, &variation.lists.momentum, 1.0);
         flow.solve_again(sum).map_err(inaccurate(*span))?;
@@ -177,7 +179,8 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
         for (own, own_now) in variation.lists.constraint_momenta.iter_mut().zip(own_now) {
             *own = 0.5 * (*own + own_now);
         }
-        system.mass_times(&after.prescribed.drives, velocity, &mut variation.lists.momentum);
+        let mass = MassAt::new(&after.prescribed.drives, mover.mass_frames(system, after));
+        system.mass_times(mass, velocity, &mut variation.lists.momentum);
         system.add_constraint_forces(
             gradients_after,
             &variation.lists.constraint_momenta,

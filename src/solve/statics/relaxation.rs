@@ -9,6 +9,7 @@ use super::{Equilibrium, LARGEST_TURN, Statics};
 use crate::error::{Error, decimal};
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::mass::MassAt;
 use crate::solve::newton::Problem;
 
 /// Most steps; a fall from a quarter turn away takes some twenty.
@@ -53,7 +54,7 @@ impl Statics {
                 most = MOST_DAMPING * first;
                 first
             });
-            system.add_mass(&[], current, &mut self.kkt.blocks);
+            system.add_mass(MassAt::CONSTANT, current, &mut self.kkt.blocks);
             state.statistics.iterations += 1;
             self.kkt.solve(system, &mut self.right, time)?;
             let (size, _) = system.correction_size(&self.right);
@@ -131,7 +132,7 @@ fn first_damping(system: &System, forces: &[f64]) -> f64 {
     let places = (0..coordinates).filter(|index| system.is_place(*index));
     places.for_each(|index| ones[index] = 1.0);
     let mut masses = vec![0.0; coordinates];
-    system.mass_times(&[], &ones, &mut masses);
+    system.mass_times(MassAt::CONSTANT, &ones, &mut masses);
     let mut fastest = 0.0_f64;
     for index in (0..coordinates).filter(|index| system.is_place(*index) && masses[*index] > 0.0) {
         fastest = fastest.max(forces[index].abs() / masses[index]);

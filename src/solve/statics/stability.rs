@@ -9,6 +9,7 @@ use crate::error::decimal;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::mechanics::system::mass::MassAt;
 use crate::solve::modes;
 use crate::solve::modes::subspace::Subspace;
 use crate::solve::newton::kkt::Kkt;
@@ -152,15 +153,17 @@ fn moved(system: &System, state: &State, softest: &Softest) -> String {
 /// None where it is not found.
 pub fn softest(system: &System, kkt: &mut Kkt, state: &State) -> Option<Softest> {
     let stiffness = kkt.blocks.symmetric_part();
-    let drives = &state.prescribed.drives;
-    let shift = modes::first_shift(system, drives, &stiffness);
-    modes::positive_shift(system, drives, kkt, &stiffness, shift, state.time).ok()?;
+    let mut cache = FrameCache::default();
+    cache.set(system, &state.q, &state.triads);
+    let mass = MassAt::new(&state.prescribed.drives, &cache);
+    let shift = modes::first_shift(system, mass, &stiffness);
+    modes::positive_shift(system, mass, kkt, &stiffness, shift, state.time).ok()?;
     let constraints = system.constraints() - system.released_constraints(&state.prescribed);
     let freedoms = system.coordinates().saturating_sub(constraints);
-    let mut block = Subspace::new(system, drives, BLOCK.min(freedoms));
+    let mut block = Subspace::new(system, mass, BLOCK.min(freedoms));
     let (mut sweep, mut is_found) = (0, false);
     while sweep < MOST_SWEEPS && !is_found {
-        let ritz = block.sweep(system, kkt).ok()?;
+        let ritz = block.sweep(system, mass, kkt).ok()?;
         // The first sweep has only brought the vectors to the constraints; the first vector is the lowest.
         is_found = sweep > 0 && ritz.first().is_some_and(|first| first.error < ACCURATE);
         sweep += 1;

@@ -185,6 +185,24 @@ impl ConstrainedMass {
         Ok(())
     }
 
+    /// Changes a solution of [`Self::solve`], with the same `gradients`, as forces change by `forces`: turns these into
+    /// the change of the velocities, and adds that of the multipliers to `multipliers`. `vector` is scratch memory, as
+    /// long as the coordinates.
+    pub fn solve_change(
+        &mut self,
+        system: &System,
+        gradients: &[JointGradient],
+        forces: &mut [f64],
+        multipliers: &mut [f64],
+        vector: &mut [f64],
+    ) {
+        self.begin(forces, vector);
+        // `G v` is to stay.
+        self.correct_to(gradients, |_| 0.0);
+        self.add_reactions(system, gradients, forces);
+        multipliers.iter_mut().zip(&self.multipliers).for_each(|(sum, own)| *sum += own);
+    }
+
     /// Sets `change` to the least change of `velocity`, in the kinetic energy, with which the conditions make `rates`
     /// of it, but for the last digits; `gradients` are those that
     /// [`Self::solve`] was called with last.
@@ -266,7 +284,12 @@ impl ConstrainedMass {
 
     /// Corrects the multipliers by what the conditions lack.
     fn correct(&mut self, gradients: &[JointGradient], conditions: &[f64]) {
-        self.lack(gradients, conditions);
+        self.correct_to(gradients, |row| conditions[row]);
+    }
+
+    /// Corrects the multipliers by what the conditions lack to be `wanted`.
+    fn correct_to(&mut self, gradients: &[JointGradient], wanted: impl Fn(usize) -> f64) {
+        self.lack(gradients, wanted);
         self.schur.solve(&mut self.lacking);
         for (multiplier, correction) in self.multipliers.iter_mut().zip(&self.lacking) {
             *multiplier += correction;
@@ -286,13 +309,13 @@ impl ConstrainedMass {
         }
     }
 
-    /// Sets what is lacking to `G v − g` of the held velocities.
-    fn lack(&mut self, gradients: &[JointGradient], conditions: &[f64]) {
+    /// Sets what is lacking to `G v − g` of the held velocities, with the `wanted` `g`.
+    fn lack(&mut self, gradients: &[JointGradient], wanted: impl Fn(usize) -> f64) {
         for (grip, gradient) in self.grips.iter().zip(gradients) {
             let mut sum = Column::default();
             grip.each_column(&self.sides, gradient, |values, number| add_times(self.moved[number], values, &mut sum));
             for (row, sum) in grip.rows.clone().zip(&sum) {
-                self.lacking[row] = sum - conditions[row];
+                self.lacking[row] = sum - wanted(row);
             }
         }
     }
@@ -301,7 +324,7 @@ impl ConstrainedMass {
     /// that any motion with the kinetic energy `square`/2 may have: the velocity of a coordinate is at most the root of
     /// its mobility times that of `square`.
     fn is_accurate(&mut self, gradients: &[JointGradient], conditions: &[f64], square: f64) -> bool {
-        self.lack(gradients, conditions);
+        self.lack(gradients, |row| conditions[row]);
         let least = SMALLEST_SHARE * square.sqrt();
         self.grips.iter().zip(gradients).all(|(grip, gradient)| {
             let mut terms = Column::default();

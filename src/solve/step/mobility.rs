@@ -8,6 +8,7 @@ use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::mechanics::system::mass::MassAt;
 use crate::solve::newton::kkt::Kkt;
 
 /// Most numbers that all solves together may touch: with thousands of springs on thousands of elements, mobilities
@@ -26,7 +27,7 @@ pub fn set_mobilities(system: &mut System, state: &State, step: f64) {
     let configuration = cache.of(system, state);
     let (free, tangent) = (Excitation::default(), &mut kkt.blocks);
     system.forces_and_tangent(&configuration, &Passage::Rest, &free, 0.25 * step * step, &mut forces, tangent);
-    system.add_mass(&[], 1.0, tangent);
+    system.add_mass(MassAt::from(&configuration), 1.0, tangent);
     kkt.set_curvatures_and_gradients(system, &configuration, &vec![0.0; system.constraints()], 1.0, &mut gradients);
     kkt.set_constraints(system, &gradients, &gradients, 1.0);
     if kkt.factorize(system, state.time).is_err() {

@@ -11,6 +11,7 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
+use crate::mechanics::system::mass::MassAt;
 use crate::solve::newton::kkt::Kkt;
 
 /// How a system responds at an instant.
@@ -71,7 +72,7 @@ impl Responder {
         self.set_right(system, state)?;
         let kkt = self.kkt.get_or_insert_with(|| Kkt::for_projections(system));
         kkt.blocks.clear();
-        system.add_mass(&state.prescribed.drives, 1.0, &mut kkt.blocks);
+        system.add_mass(MassAt::new(&state.prescribed.drives, &self.frames), 1.0, &mut kkt.blocks);
         kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);
         kkt.solve(system, &mut self.right, state.time)?;
         let (acceleration, multipliers) = self.right.split_at(state.q.len());
@@ -95,7 +96,8 @@ impl Responder {
     ) -> Result<(), Error> {
         self.set_right(system, state)?;
         let (forces, conditions) = right.split_at_mut(state.q.len());
-        system.mass_times(&state.prescribed.drives, &response.acceleration, forces);
+        let mass = MassAt::new(&state.prescribed.drives, &self.frames);
+        system.mass_times(mass, &response.acceleration, forces);
         system.add_constraint_forces(&self.gradients, &response.multipliers, 1.0, forces);
         conditions.fill(0.0);
         system.add_constraint_rates(&self.gradients, &response.acceleration, conditions);
@@ -114,7 +116,8 @@ impl Responder {
 
         let (forces, conditions) = self.right.split_at_mut(state.q.len());
         system.forces(&configuration, &passage, &self.excitation, forces);
-        system.mass_times(&state.prescribed.drives, &state.velocity, &mut self.momentum);
+        let mass = MassAt::new(&state.prescribed.drives, &self.frames);
+        system.mass_times(mass, &state.velocity, &mut self.momentum);
         gyroscopic::add_rate_forces(system, &self.frames, &state.velocity, &self.momentum, forces);
         system.constraint_accelerations(&configuration, &state.velocity, conditions);
         self.right.iter_mut().for_each(|value| *value = -*value);

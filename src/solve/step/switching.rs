@@ -13,6 +13,7 @@ use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::state::{State, rate_leads, viscous_rates};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::mechanics::system::mass::MassAt;
 use crate::solve::newton::kkt::Kkt;
 
 /// How far the neighboring state of an impact is moved, as [`System::motion_size`] measures: so little that it is
@@ -87,8 +88,9 @@ fn collide(system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Erro
     }
     system.set_momentum(state);
     let change: Vec<f64> = state.velocity.iter().zip(&before).map(|(after, before)| after - before).collect();
-    let dissipated = system.kinetic_energy_of_mesh(&state.prescribed.drives, &change);
-    let gained = system.kinetic_energy(&frames.of(system, state), &state.velocity) - kinetic_before;
+    let configuration = frames.of(system, state);
+    let dissipated = system.kinetic_energy_of_mesh(MassAt::from(&configuration), &change);
+    let gained = system.kinetic_energy(&configuration, &state.velocity) - kinetic_before;
     if let Some(last) = &mut state.balance.last {
         last.kinetic += gained;
     }

@@ -93,7 +93,14 @@ pub fn curved(random: &mut Random, length: f64, stiffness: Stiffness) -> Element
         };
         let first = [1.5 * share, -2.0 * share];
         let eccentricity = (stiffness.strain != Strain::LargeTruncated).then_some(Eccentricity { first, third });
-        SectionAt { stiffness, densities: [1.0, 0.1], turn: 0.3 - 0.5 * xi, principal: 0.2 - 0.3 * xi, eccentricity }
+        SectionAt {
+            stiffness,
+            densities: [1.0, 0.1],
+            mass_moments: [0.0; 3],
+            turn: 0.3 - 0.5 * xi,
+            principal: 0.2 - 0.3 * xi,
+            eccentricity,
+        }
     });
     Element::new(Place::default(), length, stiffness, [1.0, 0.1], q.as_slice(), frames, previous).with_sections(
         sections,

@@ -13,6 +13,7 @@ pub mod element_derivatives;
 pub mod invariance;
 pub mod over_step;
 pub mod quadratic_twist;
+mod rotary_inertia;
 pub mod section_balance;
 pub mod section_forces;
 pub mod strain_outputs;

@@ -7,6 +7,7 @@ use crate::running::{run, start, try_start, value, vector};
 use crate::support::parts::gap;
 use ancf14::math::{Mat3, Vec3, rotation};
 use ancf14::mechanics::body::kinematics;
+use ancf14::mechanics::system::mass::MassAt;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::step::response::{Responder, Response};
 
@@ -177,7 +178,7 @@ fn powers(simulation: &Simulation, rates: &[f64], efforts: &[f64]) -> [f64; 2] {
     let mut response = Response::default();
     Responder::new(system).respond(system, state, &mut response).unwrap();
     let mut inertia = vec![0.0; state.q.len()];
-    system.mass_times(&[], &response.acceleration, &mut inertia);
+    system.mass_times(MassAt::CONSTANT, &response.acceleration, &mut inertia);
     let kinetic: f64 = inertia.iter().zip(&state.velocity).map(|(force, velocity)| force * velocity).sum();
     let lift: f64 = system
         .bodies

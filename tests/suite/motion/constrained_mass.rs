@@ -13,6 +13,7 @@ use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
+use ancf14::mechanics::system::mass::MassAt;
 use ancf14::model::builder::Built;
 use ancf14::solve::linear::mass_factor::MassFactor;
 use ancf14::solve::linear::sparse_lu::SparseLu;
@@ -23,7 +24,7 @@ use ancf14::solve::step::constrained_mass::{ConstrainedMass, MOST_ROWS};
 /// The masses alone.
 fn masses(system: &System) -> Kkt {
     let mut kkt = Kkt::for_projections(system);
-    system.add_mass(&[], 1.0, &mut kkt.blocks);
+    system.add_mass(MassAt::CONSTANT, 1.0, &mut kkt.blocks);
     kkt
 }
 
@@ -56,7 +57,7 @@ fn solutions_are_those_of_the_whole_system() {
             let velocity: Vec<f64> = (0..system.coordinates()).map(|_| random.signed()).collect();
             let mut right = vec![0.1; size];
             let (forces, conditions) = right.split_at_mut(system.coordinates());
-            system.mass_times(&[], &velocity, forces);
+            system.mass_times(MassAt::CONSTANT, &velocity, forces);
             conditions.iter_mut().for_each(|value| *value *= random.signed());
             let mut expected = right.clone();
             fast.solve(&system, &gradients, &mut right, &mut vec![0.0; system.coordinates()])

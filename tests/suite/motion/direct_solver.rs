@@ -8,6 +8,7 @@ use ancf14::mechanics::marker::configuration::Passage;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::frame_cache::FrameCache;
+use ancf14::mechanics::system::mass::MassAt;
 use ancf14::model::builder::{self, Built};
 use ancf14::model::document::Document;
 use ancf14::solve::linear::Regularity;
@@ -50,7 +51,7 @@ pub fn set_matrix(kkt: &mut Kkt, system: &System, state: &State, step: f64, mult
     let factor = if step > 0.0 { 0.25 * step * step } else { 1.0 };
     system.forces_and_tangent(&configuration, &Passage::Rest, &excitation, factor, &mut forces, &mut kkt.blocks);
     if step > 0.0 {
-        system.add_mass(&[], 1.0, &mut kkt.blocks);
+        system.add_mass(MassAt::CONSTANT, 1.0, &mut kkt.blocks);
     }
     let mut gradients = Vec::new();
     kkt.set_curvatures_and_gradients(system, &configuration, multipliers, factor, &mut gradients);

@@ -17,6 +17,7 @@ pub mod pulses;
 pub mod released_motions;
 pub mod rigid_rotation;
 pub mod rollback;
+mod rotary_inertia;
 pub mod start_derivatives;
 pub mod step_derivatives;
 pub mod stiff;

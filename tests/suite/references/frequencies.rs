@@ -10,6 +10,7 @@ use ancf14::mechanics::marker::configuration::Passage;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::builder::SystemBuilder;
 use ancf14::mechanics::system::frame_cache::FrameCache;
+use ancf14::mechanics::system::mass::MassAt;
 use nalgebra::{DMatrix, SymmetricEigen};
 use std::f64::consts::PI;
 
@@ -38,7 +39,7 @@ fn frequencies(beam: &BeamDesign) -> Vec<f64> {
     system.forces_and_tangent(&configuration, &Passage::Rest, &Excitation::default(), 1.0, &mut forces, &mut blocks);
     let stiffness = dense(&system, &blocks);
     blocks.clear();
-    system.add_mass(&[], 1.0, &mut blocks);
+    system.add_mass(MassAt::CONSTANT, 1.0, &mut blocks);
     let mass = dense(&system, &blocks);
     let free: Vec<usize> = (0..system.coordinates()).filter(|i| *i == 3 || *i >= 7).collect();
     let pick = |matrix: &DMatrix<f64>| matrix.select_rows(&free).select_columns(&free);

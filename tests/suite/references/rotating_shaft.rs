@@ -11,6 +11,7 @@ use ancf14::fmi::Model;
 use ancf14::math::blocks::Blocks;
 use ancf14::mechanics::marker::configuration::Passage;
 use ancf14::mechanics::system::frame_cache::FrameCache;
+use ancf14::mechanics::system::mass::MassAt;
 use ancf14::model::simulation::Simulation;
 use nalgebra::{DMatrix, SymmetricEigen};
 
@@ -118,7 +119,7 @@ fn first_frequencies() {
     system.forces_and_tangent(&configuration, &Passage::Rest, &excitation, 1.0, &mut forces, &mut blocks);
     let stiffness = dense(&blocks);
     blocks.clear();
-    system.add_mass(&[], 1.0, &mut blocks);
+    system.add_mass(MassAt::CONSTANT, 1.0, &mut blocks);
     let mass = dense(&blocks);
     let mut gradients = Vec::new();
     system.constraint_gradients(&configuration, &mut gradients);

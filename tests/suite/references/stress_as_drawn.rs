@@ -102,7 +102,8 @@ fn a_heated_rail_buckles_at_its_critical_temperature() {
     assert!((low / critical - 1.0).abs() < 3e-5, "{low} {critical}");
 }
 
-/// A strip under tension between walls keeps it, and swings as `(n/2L) √(T/ρA) √(1 + n² π² EI/(T L²))` between pins.
+/// A strip under tension between walls keeps it, and swings as `(n/2L) √(T/ρA) √(1 + n² π² EI/(T L²))` between
+/// pins, over `√(1 + n² π² I/(A L²))` by the rotary inertia.
 #[test]
 fn strings_sound_at_their_tension() {
     let tension: f64 = 2000.0;
@@ -114,7 +115,8 @@ fn strings_sound_at_their_tension() {
     let line_density = 7850.0 * AREA;
     let exact = |n: f64| {
         let stiff = n * n * PI * PI * 2.1e11 * ABOUT_Y / (tension * 4.0);
-        n / 4.0 * (tension / line_density).sqrt() * (1.0 + stiff).sqrt()
+        let turning = n * n * PI * PI * ABOUT_Y / (AREA * 4.0);
+        n / 4.0 * (tension / line_density).sqrt() * ((1.0 + stiff) / (1.0 + turning)).sqrt()
     };
     let modes = string.modes(6).unwrap_or_else(|failure| panic!("{}", failure.message)).modes;
     let found: Vec<f64> = modes.iter().map(|mode| mode.eigenvalue.sqrt() / TAU).collect();

@@ -68,6 +68,7 @@ pub fn design(name: &str, elements: usize) -> BeamDesign {
         elements: ancf14(Strain::Small, Twist::Linear),
         velocity: Vec3::zeros(),
         angular_velocity: Vec3::zeros(),
+        rotary_inertia: false,
     }
 }
 

@@ -6,6 +6,7 @@ use crate::table::{Amount, Row};
 use ancf14::mechanics::input::excitation::Excitation;
 use ancf14::mechanics::marker::configuration::Passage;
 use ancf14::mechanics::system::frame_cache::FrameCache;
+use ancf14::mechanics::system::mass::MassAt;
 use ancf14::model::simulation::Simulation;
 use ancf14::solve::newton::kkt::Kkt;
 use ancf14_testing::curves::load;
@@ -37,7 +38,7 @@ impl Step {
         let mut kkt = Kkt::for_steps(system);
         let scale = 0.25 * STEP * STEP;
         system.forces_and_tangent(&c, &Passage::Rest, &excitation, scale, &mut right, &mut kkt.blocks);
-        system.add_mass(&[], 1.0, &mut kkt.blocks);
+        system.add_mass(MassAt::CONSTANT, 1.0, &mut kkt.blocks);
         let mut gradients = Vec::new();
         system.constraint_gradients(&c, &mut gradients);
         kkt.set_constraints(system, &gradients, &gradients, 1.0);

@@ -1,6 +1,7 @@
 //! The section along an element, where it is not the same everywhere or its principal axes are not the axes of the
 //! element's sections.
 
+use super::rotary_inertia::MassMoments;
 use super::strain::{Eccentricity, Stiffness};
 use std::fmt;
 use std::sync::Arc;
@@ -12,12 +13,30 @@ pub struct SectionAt {
     pub stiffness: Stiffness,
     /// `ρA`, kg/m, and `ρIp`, kg m.
     pub densities: [f64; 2],
+    /// Second moments of mass in the axes of this section.
+    pub mass_moments: MassMoments,
     /// Angle about the tangent from the axes of the interpolated section to those of this section, rad.
     pub turn: f64,
     /// From there to the principal axes, rad.
     pub principal: f64,
     /// Odd moments about the axis; none where the tension center is on it.
     pub eccentricity: Option<Eccentricity>,
+}
+
+impl SectionAt {
+    /// The moments of mass in the axes of the interpolated section, kg m.
+    pub fn turned_moments(&self) -> MassMoments {
+        let (yy, zz, yz) = (self.mass_moments[0], self.mass_moments[1], self.mass_moments[2]);
+        if self.turn == 0.0 {
+            return self.mass_moments;
+        }
+        let (sin, cos) = self.turn.sin_cos();
+        [
+            cos * cos * yy - 2.0 * cos * sin * yz + sin * sin * zz,
+            sin * sin * yy + 2.0 * cos * sin * yz + cos * cos * zz,
+            cos * sin * (yy - zz) + (cos * cos - sin * sin) * yz,
+        ]
+    }
 }
 
 /// Sections by the place in an element, 0 to 1.

@@ -37,6 +37,13 @@ impl Element {
         let mut supplied = self.evaluation(c).gradient() + inertia + momentum * mass_damping;
         supplied += acting - self.weight(&gravity) * extent;
         let frames = self.frames(c);
+        if let Some(rotary) = &self.inertia.rotary {
+            let own = supplied.as_mut_slice();
+            rotary.add_times(frames, 1.0, acceleration, own);
+            rotary.add_times(frames, mass_damping, velocity, own);
+            rotary.add_gradient(frames, -1.0, velocity, own);
+            supplied += rotary.rate_times(frames, velocity);
+        }
         for (frame, start) in frames.into_iter().zip([0, NODE]) {
             let (spin, rate) = (momentum[start + THETA], inertia[start + THETA]);
             let force = frame.gyroscopic_force(&vec3(velocity, start + P), spin) - frame.chart_force(rate);
@@ -83,7 +90,35 @@ impl Element {
             }
         };
         let mut points = FIVE_POINTS.into_iter().zip(self.inertia.stations);
-        std::array::from_fn(|_| station(points.next().expect("there are five stations")))
+        let mut stations = std::array::from_fn(|_| station(points.next().expect("there are five stations")));
+        self.add_rotary_moments(frames, [q, velocity, acceleration], mass_damping, &mut stations);
+        stations
+    }
+
+    /// Adds the moments of the rotary inertia about y and z, minus the rates of the angular momenta
+    /// `ρI r' × ṙ' + Σ_n φ_n ρΔI (d_n·ṙ') r' × d_n` (MECHANICS 3.3b).
+    fn add_rotary_moments(
+        &self,
+        frames: [&NodeFrame; 2],
+        [q, velocity, acceleration]: [&[f64]; 3],
+        mass_damping: f64,
+        stations: &mut [Acting; 5],
+    ) {
+        let axes = self.inertia.rotary.as_ref().map(|rotary| rotary.axes(frames, velocity));
+        for ((station, xi), [all, following]) in stations.iter_mut().zip(FIVE_POINTS).zip(self.inertia.turning) {
+            if all == 0.0 && following == 0.0 {
+                continue;
+            }
+            let by_x = hermite::shape_x(xi, self.length);
+            let [slope, rate, second] = [q, velocity, acceleration].map(|own| interpolate(&by_x, own));
+            let second = second + rate * mass_damping;
+            station.moment -= slope.cross(&second) * all;
+            for ([d, d_rate], share) in axes.into_iter().flatten().zip([1.0 - xi, xi]) {
+                let (along, along_rate) = (d.dot(&rate), d_rate.dot(&rate) + d.dot(&second));
+                let turned = slope.cross(&d) * along_rate + (rate.cross(&d) + slope.cross(&d_rate)) * along;
+                station.moment -= turned * (following * share);
+            }
+        }
     }
 
     /// Acceleration of the material at `xi` beyond that of the mesh, m/s².

@@ -25,7 +25,12 @@ const SMALLEST_COSINE: f64 = 0.2;
 const LARGEST_TWIST_CHANGE: f64 = 2.0;
 
 impl Element {
-    pub(super) fn add(&self, values: &ElementVector, sum: &mut [f64]) {
+    /// The numbers of the frames of its nodes.
+    pub fn frame_numbers(&self) -> [usize; 2] {
+        [self.place.frame, self.place.frame + 1]
+    }
+
+    pub(in crate::mechanics) fn add(&self, values: &ElementVector, sum: &mut [f64]) {
         let own = &mut sum[self.place.start..self.place.start + ELEMENT];
         own.iter_mut().zip(values).for_each(|(target, value)| *target += value);
     }

@@ -1,7 +1,8 @@
-//! Inertia: constant mass matrix and the weight (MECHANICS 3.3). Rotary inertia of bending is neglected, as in the
-//! paper.
+//! Inertia: constant mass matrix and the weight (MECHANICS 3.3), and the part of the rotary inertia that is not
+//! constant (MECHANICS 3.3b).
 
 use super::coordinates::{ELEMENT, ElementVector, NODE, SHAPE_PLACES, THETA};
+use super::rotary_inertia::{MassMoments, RotaryInertia, rotary_inertia};
 use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS};
 use crate::math::vectors::vec3;
 use crate::math::{Vec3, hermite};
@@ -17,12 +18,17 @@ const ANGLES: [usize; 2] = [THETA, NODE + THETA];
 pub struct Inertia {
     /// Constant mass matrix.
     pub mass: Mass,
+    /// The part of the mass matrix that follows the section; none where sections resist all turns of the tangent alike.
+    pub rotary: Option<Box<RotaryInertia>>,
     /// `ρA`, kg/m; where it varies its mean.
     pub line_density: f64,
     /// `∫ ρA N_a dx`, kg and kg m: the weight is their product with gravity.
     pub weights: [f64; 4],
     /// Mass, kg, and spin inertia, kg m², that each of the five Gauss points stands for.
     pub stations: [[f64; 2]; FIVE],
+    /// Rotary inertia of the slope that each of these points stands for, kg m²: along all axes, and beyond that along
+    /// the axis that follows the section.
+    pub turning: [[f64; 2]; FIVE],
 }
 
 impl Inertia {
@@ -30,9 +36,11 @@ impl Inertia {
     pub fn new([line_density, spin_inertia]: [f64; 2], length: f64) -> Self {
         Self {
             mass: Mass::new(line_density, spin_inertia, length),
+            rotary: None,
             line_density,
             weights: hermite::integrals(length).map(|integral| line_density * integral),
             stations: FIVE_WEIGHTS.map(|weight| [line_density, spin_inertia].map(|own| own * weight * length)),
+            turning: [[0.0; 2]; FIVE],
         }
     }
 
@@ -46,14 +54,31 @@ impl Inertia {
             weights.iter_mut().zip(shape).for_each(|(sum, shape)| *sum += mass * shape);
         }
         let line_density = stations.clone().map(|(_, [mass, _])| mass).sum::<f64>() / length;
-        Self { mass: Mass::of_stations(stations, length), line_density, weights, stations: own }
+        Self {
+            mass: Mass::of_stations(stations, length),
+            rotary: None,
+            line_density,
+            weights,
+            stations: own,
+            turning: [[0.0; 2]; FIVE],
+        }
+    }
+
+    /// Adds the rotary inertia of the sections at the points of the 5-point Gauss rule; `length` in m.
+    pub fn add_rotary(&mut self, moments: [MassMoments; FIVE], length: f64) {
+        let (constant, turning, rotary) = rotary_inertia(moments, length);
+        for (row, constant) in self.mass.line.iter_mut().zip(constant) {
+            row.iter_mut().zip(constant).for_each(|(sum, constant)| *sum += constant);
+        }
+        self.turning = turning;
+        self.rotary = rotary.map(Box::new);
     }
 }
 
 /// `M = ρA ∫ N_a N_b dx ⊗ I + ρIp l/6 [2 1; 1 2]`: what stands before the unit matrix of space, and the angles' part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mass {
-    /// `ρA ∫ N_a N_b dx`, kg, kg m and kg m².
+    /// `ρA ∫ N_a N_b dx`, and of the rotary inertia `ρI ∫ N'_a N'_b dx`; kg, kg m and kg m².
     line: [[f64; 4]; 4],
     /// Of the angles of both nodes, `ρIp l/6 [2 1; 1 2]`, kg m².
     spin: [[f64; 2]; 2],
@@ -125,8 +150,8 @@ impl Mass {
 /// Generalized weight, 14×1: `weights ⊗ gravity`, with `∫ ρA N_a dx` (kg and kg m) and gravity in m/s².
 pub fn weight(weights: &[f64; 4], gravity: &Vec3) -> ElementVector {
     let mut sum = ElementVector::zeros();
-    for (place, weight) in SHAPE_PLACES.into_iter().zip(weights) {
-        sum.fixed_rows_mut::<3>(place).copy_from(&(gravity * *weight));
+    for (start, weight) in SHAPE_PLACES.into_iter().zip(weights) {
+        sum.fixed_rows_mut::<3>(start).copy_from(&(gravity * *weight));
     }
     sum
 }

@@ -23,6 +23,7 @@ pub mod paid_out;
 mod passing;
 pub mod payout;
 pub mod relief;
+pub mod rotary_inertia;
 pub mod section;
 mod sections_along;
 mod shared;

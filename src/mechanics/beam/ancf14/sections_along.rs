@@ -4,6 +4,7 @@ use super::along::{Along, SectionAt};
 use super::element::{Element, Evaluation};
 use super::frame::NodeFrame;
 use super::inertia::Inertia;
+use super::rotary_inertia::MassMoments;
 use super::strain::{Stiffness, Strain, Strains};
 use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS, LOBATTO_POINTS};
 use std::sync::Arc;
@@ -30,9 +31,23 @@ impl Element {
         for (densities, weight) in stations.iter_mut().zip(FIVE_WEIGHTS) {
             densities.iter_mut().for_each(|density| *density *= weight * self.length);
         }
-        self.inertia = Arc::new(Inertia::of_stations(stations, self.length));
+        let mut inertia = Inertia::of_stations(stations, self.length);
+        let moments = FIVE_POINTS.map(|xi| along.at(xi).turned_moments());
+        if moments.iter().flatten().any(|moment| *moment != 0.0) {
+            inertia.add_rotary(moments, self.length);
+        }
+        self.inertia = Arc::new(inertia);
         self.along = Some(along);
         self.set_reference(reference, frames, holonomy);
+        self
+    }
+
+    /// The same element, whose sections are alike, with their rotary inertia.
+    #[must_use]
+    pub fn with_rotary_inertia(mut self, moments: MassMoments) -> Self {
+        if moments.iter().any(|moment| *moment != 0.0) {
+            Arc::make_mut(&mut self.inertia).add_rotary([moments; 5], self.length);
+        }
         self
     }
 
@@ -46,7 +61,14 @@ impl Element {
             }
             None => {
                 let (stiffness, densities) = (self.stiffness, [self.inertia.line_density, 0.0]);
-                SectionAt { stiffness, densities, turn: 0.0, principal: 0.0, eccentricity: None }
+                SectionAt {
+                    stiffness,
+                    densities,
+                    mass_moments: [0.0; 3],
+                    turn: 0.0,
+                    principal: 0.0,
+                    eccentricity: None,
+                }
             }
         }
     }

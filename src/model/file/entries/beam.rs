@@ -32,6 +32,7 @@ pub(super) const KEYS: &[Key] = &[
     Key::flag("torsion", "false: no torsion"),
     Key::flag("ancf24_poisson", "true: the full material law of ancf24"),
     Key::word("ancf24_shear", &words_of(&SHEARS), "the transverse shear moduli of ancf24"),
+    Key::flag("rotary_inertia", "false: sections have no inertia against turns of the tangent"),
     Key::number(&[&PRETENSION]),
     Key::list(&[&FREE_CURVATURE], "2"),
     Key::number(&[&FREE_TORSION]),
@@ -81,6 +82,8 @@ pub struct BeamSpec {
     pub formulation: Elements,
     /// Additional turn of the section from start to end, rad.
     pub pretwist: Number,
+    /// Whether sections have an inertia against turns of the tangent.
+    pub rotary_inertia: bool,
     /// Axial force as drawn, N.
     pub pretension: Option<Number>,
     /// Curvatures about y and z without stress, 1/m.
@@ -137,6 +140,7 @@ fn formulation(reader: &mut Reader<'_, '_>, strain: Strain) -> Elements {
         "strain",
         "twist",
         "torsion",
+        "rotary_inertia",
         "pretension",
         "free_curvature",
         "free_torsion",
@@ -212,6 +216,7 @@ impl BeamSpec {
         let strain = if has_material { Strain::Small } else { Strain::Large };
         let formulation = formulation(&mut reader, strain);
         let pretwist = reader.number_or(&PRETWIST, 0.0);
+        let rotary_inertia = reader.boolean("rotary_inertia", true);
         let pretension = reader.optional(&PRETENSION);
         let free_curvature = reader.optional_pair(&FREE_CURVATURE);
         let free_torsion = reader.optional(&FREE_TORSION);
@@ -231,6 +236,7 @@ impl BeamSpec {
             elements,
             formulation,
             pretwist,
+            rotary_inertia,
             pretension,
             free_curvature,
             free_torsion,

@@ -37,6 +37,8 @@ pub(super) const KEYS: &[Key] = &[
     Key::number(&[&TORSION_RIGIDITY]),
     Key::number(&[&LINE_DENSITY]),
     Key::number(&[&POLAR_INERTIA]),
+    Key::number(&[&INERTIA_Y]),
+    Key::number(&[&INERTIA_Z]),
     Key::number(&[&EXPANSION]),
     Key::number(&[&MATERIAL_DAMPING]),
     Key::number(&[&MASS_DAMPING]),
@@ -76,6 +78,10 @@ const TORSION_RIGIDITY: Rule = Rule::new("GJ", "torsion rigidity", "N.m2").above
 const LINE_DENSITY: Rule = Rule::new("line_density", "mass per length", "kg/m").above(0.0).along_beam();
 const POLAR_INERTIA: Rule =
     Rule::new("polar_inertia", "polar moment of inertia per length", "kg.m").above(0.0).along_beam();
+const INERTIA_Y: Rule =
+    Rule::new("inertia_y", "rotary inertia: moment of inertia per length about y", "kg.m").from(0.0).along_beam();
+const INERTIA_Z: Rule =
+    Rule::new("inertia_z", "rotary inertia: moment of inertia per length about z", "kg.m").from(0.0).along_beam();
 
 /// A section `[section.NAME]`.
 #[derive(Clone, Debug)]
@@ -202,6 +208,8 @@ pub struct Rigidities {
     pub line_density: Number,
     /// Polar mass moment of inertia per length, kg m; default: as if mass and stiffness were spread alike.
     pub polar_inertia: Option<Number>,
+    /// Mass moments of inertia per length about y and about z, kg m; default: 0.
+    pub inertia: [Option<Number>; 2],
     /// Thermal expansion, 1/K.
     pub expansion: Option<Number>,
     /// As of a material.
@@ -306,9 +314,11 @@ impl SectionSpec {
                 torsion,
                 line_density,
                 polar_inertia,
+                inertia,
                 ..
             }) => {
-                let optional = coupling.into_iter().chain(polar_inertia).chain(tension_center.into_iter().flatten());
+                let optional = coupling.into_iter().chain(polar_inertia).chain(inertia.into_iter().flatten());
+                let optional = optional.chain(tension_center.into_iter().flatten());
                 [axial, y, z, torsion, line_density].into_iter().chain(optional).collect()
             }
         };
@@ -406,6 +416,7 @@ fn shape(word: Word, reader: &mut Reader<'_, '_>) -> Shape {
             coupling: reader.optional(&BENDING_COUPLING),
             tension_center: reader.optional_pair(&TENSION_CENTER),
             polar_inertia: reader.optional(&POLAR_INERTIA),
+            inertia: [&INERTIA_Y, &INERTIA_Z].map(|rule| reader.optional(rule)),
             expansion: reader.optional(&EXPANSION),
             damping: Damping::read(reader),
         }),

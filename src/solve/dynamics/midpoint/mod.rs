@@ -27,6 +27,7 @@ use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::state::{Prediction, State, rate_leads, viscous_rates};
 use crate::mechanics::system::System;
 use crate::mechanics::system::gyroscopic;
+use crate::mechanics::system::mass::MassAt;
 use crate::solve::linear::Singular;
 use crate::solve::newton::Problem;
 use crate::solve::newton::kkt::Kkt;
@@ -155,6 +156,7 @@ impl Integrator for Midpoint {
         let knew_error = state.time_error.is_known();
         self.carry_error(system, state, dissipation, span, &mut next);
         // Those of the middle are no longer needed.
+        self.projection.expect(&self.scratch.increment, step, &state.velocity, &mut next.lists.velocity);
         let frames = &mut self.scratch.frames_middle;
         let outcome = self.projection.set_velocity(system, &mut self.kkt, frames, &mut next);
         if outcome.is_ok() {
@@ -358,7 +360,7 @@ impl Problem for Step<'_> {
             &mut scratch.forces,
             &mut kkt.blocks,
         );
-        system.add_mass(&scratch.prescribed_middle.drives, 1.0, &mut kkt.blocks);
+        system.add_mass(MassAt::from(&middle), 1.0, &mut kkt.blocks);
         system.constraint_gradients(&end, &mut scratch.gradients_end);
         kkt.set_curvatures_and_gradients(system, &middle, &scratch.impulses, 0.5 * h, &mut scratch.gradients_middle);
         let (frames, drives) = ([&scratch.frames_start, &scratch.frames_end], &scratch.prescribed_middle.drives);

@@ -14,6 +14,7 @@ use crate::mechanics::state::{State, rate_leads, viscous_rates};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
+use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::step_starts::StepStarts;
 use crate::mechanics::system::work::StepEnergy;
 use crate::solve::newton::prediction;
@@ -139,7 +140,8 @@ impl Scratch {
         }
         self.frames_middle.set(system, &self.q_middle, &state.triads);
         self.frames_end.set(system, &self.q_end, &state.triads);
-        system.mass_times(&self.prescribed_middle.drives, &self.increment, &mut self.mass_increment);
+        let mass = MassAt::new(&self.prescribed_middle.drives, &self.frames_middle);
+        system.mass_times(mass, &self.increment, &mut self.mass_increment);
     }
 
     /// Sets the forces without those of the joints, at the current positions.

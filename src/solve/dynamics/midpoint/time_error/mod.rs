@@ -16,6 +16,7 @@ use crate::mechanics::state::time_error::{Passed, TimeError};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
+use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::middle_forces::Middle;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
@@ -159,8 +160,9 @@ impl Estimator {
         let coordinates = self.jerk.len();
         let scale = TRAPEZOIDAL * h * h * h;
         self.filtered.iter_mut().zip(&self.jerk).for_each(|(own, jerk)| *own = scale * jerk);
-        let drives = &taken.solution.prescribed_middle.drives;
-        system.mass_times(drives, &self.filtered[..coordinates], &mut right[..coordinates]);
+        let solution = taken.solution;
+        let mass = MassAt::new(&solution.prescribed_middle.drives, &solution.frames_middle);
+        system.mass_times(mass, &self.filtered[..coordinates], &mut right[..coordinates]);
         right[coordinates..].fill(0.0);
         match kkt.solve_roughly(right) {
             Ok(()) => Some(system.motion_sizes(&right[..coordinates])),
@@ -274,8 +276,8 @@ impl Estimator {
         let moved = right.iter_mut().zip(velocity).zip(&self.filtered);
         moved.for_each(|((moved, velocity), source)| *moved = h * velocity + source);
         let coordinates = velocity.len();
-        let drives = &state.prescribed.drives;
-        system.mass_times(drives, &right[..coordinates], &mut self.filtered[..coordinates]);
+        let mass = MassAt::new(&state.prescribed.drives, &self.scratch.frames_middle);
+        system.mass_times(mass, &right[..coordinates], &mut self.filtered[..coordinates]);
         // Strains at the middle are taken as the means of the ends, and the dissipation is none of the exact motion:
         // both show in the changes of the strain rates.
         if error.known > 0 {
@@ -405,15 +407,15 @@ impl Estimator {
         velocity: &mut [f64],
         right: &mut [f64],
     ) -> Result<(), Singular> {
-        let Self { filtered, targets, .. } = self;
+        let Self { filtered, targets, scratch, .. } = self;
         let coordinates = velocity.len();
         targets.fill(0.0);
         system.add_constraint_rates(&solution.gradients_end, velocity, targets);
-        let drives = &solution.prescribed_middle.drives;
-        system.mass_times(drives, velocity, &mut right[..coordinates]);
+        let mass = MassAt::new(&solution.prescribed_middle.drives, &scratch.frames_middle);
+        system.mass_times(mass, velocity, &mut right[..coordinates]);
         right[coordinates..].copy_from_slice(targets);
         kkt.solve_roughly(right)?;
-        system.mass_times(drives, &right[..coordinates], &mut filtered[..coordinates]);
+        system.mass_times(mass, &right[..coordinates], &mut filtered[..coordinates]);
         filtered[coordinates..].copy_from_slice(targets);
         kkt.solve_roughly(filtered)?;
         for (velocity, (once, twice)) in velocity.iter_mut().zip(right.iter().zip(&*filtered)) {
