@@ -55,7 +55,7 @@ fn frequencies(elements: u32, twist: &str) -> Frequencies {
 
 pub fn write(section: &mut Section) {
     section.say(
-        "A cantilever of rectangular section (`crates/tools/src/validation/swinging_cantilever.toml`), modes about its drawn state. References: bending x_k^2 sqrt(EI/(m L^4)) with \
+        "A cantilever of rectangular section (`crates/tools/src/validation/swinging_cantilever.toml`) without rotary inertia, modes about its drawn state. References: bending x_k^2 sqrt(EI/(m L^4)) with \
          cos x cosh x = -1, here in the soft direction; torsion pi/(2L) sqrt(G Jt/(rho Ip)); stretching pi/(2L) sqrt(E/rho). Relative errors. The internal coordinate of the \
          quadratic twist has no inertia: torsional frequencies keep order 2, and all others are the same with both.",
     );

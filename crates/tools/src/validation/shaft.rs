@@ -91,8 +91,8 @@ pub fn write(section: &mut Section) {
     let half_mass = 0.5 * of("steel.density") * PI * (outer * outer - inner * inner) * length;
     let lower = 0.5 * half_mass * gyration * (PI / length).powi(2) / (half_mass + of("disk.mass"));
     section.say(&format!(
-        "What is left with many elements and small steps is a difference of the two models: the reference has the rotary inertia of bending, which \
-         lowers the first frequencies of this shaft by {} of themselves (Rayleigh's quotient with half a sine), and shifts the phase by as much.",
+        "Both models have the rotary inertia of bending, which lowers the first frequencies of this shaft by {} of themselves (Rayleigh's quotient \
+         with half a sine). Without it the errors do not fall below 3.7e-4.",
         study::small(lower)
     ));
 
