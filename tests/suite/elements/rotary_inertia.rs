@@ -31,7 +31,7 @@ fn frames(q: &Coordinates, triads: &[Triad; 2]) -> [NodeFrame; 2] {
 }
 
 fn rest() -> RotaryInertia {
-    rotary_inertia([MOMENTS; 5], LENGTH).1.expect("the moments differ")
+    rotary_inertia([MOMENTS; 5], LENGTH).2.expect("the moments differ")
 }
 
 /// `D v` at `q`.
@@ -63,7 +63,7 @@ fn energy_is_that_of_the_moments() {
     }
     let [first, second] = frames(&q, &[axes; 2]);
     let section = first.section();
-    let (constant, rest) = rotary_inertia([MOMENTS; 5], LENGTH);
+    let (constant, _, rest) = rotary_inertia([MOMENTS; 5], LENGTH);
     let along = rest.unwrap().form([&first, &second], velocity.as_slice());
     let everywhere: f64 = (0..4)
         .flat_map(|a| (0..4).map(move |b| (a, b)))
