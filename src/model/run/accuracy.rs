@@ -25,8 +25,6 @@ const EXPECTED_OF_FORCES: f64 = 0.01;
 /// Share of the looks in which a force, a strain or an acceleration may be off by more: it jumps where the motion only
 /// bends.
 const ROUGH_SHARE: f64 = 0.05;
-/// A force or moment is compared with this share of the largest one of the system at least.
-const SMALL_FORCE: f64 = 0.1;
 /// An error below this share is told as that: of a model at rest it is round-off.
 const LEAST_TOLD: f64 = 1e-6;
 /// How fast the mesh error of positions and energies of a motion falls with the length of the elements. The elements
@@ -318,20 +316,22 @@ impl Accuracy {
         measures: &Measures,
         error: impl Fn(usize, &Family) -> Option<f64>,
     ) -> Vec<Inexact> {
-        let spans = self.spans(columns);
-        let families = || columns.families.iter().zip(&spans);
-        let largest_force = |unit: &str| {
-            let alike = families().filter(|(family, _)| family.unit == unit && matches!(unit, "N" | "N.m"));
-            alike.map(|(_, span)| span.size).fold(0.0, f64::max)
-        };
-        let shown = families().enumerate().filter(|(_, (family, _))| family.is_shown);
-        let found = shown.filter_map(|(number, (family, span))| {
-            let Family { name, unit, is_rough, .. } = family;
-            let scale = measures.scale(unit, *span);
-            let error = error(number, family)? / scale.max(SMALL_FORCE * largest_force(unit));
+        let scales = self.scales(columns, measures);
+        let shown = columns.families.iter().zip(scales).enumerate().filter(|(_, (family, _))| family.is_shown);
+        let found = shown.filter_map(|(number, (family, scale))| {
+            let error = error(number, family)? / scale;
+            let Family { name, is_rough, .. } = family;
             (scale > 0.0).then(|| Inexact { name: name.clone(), error, is_rough: *is_rough })
         });
         found.collect()
+    }
+
+    /// What the errors of the families are compared with; 0: the family is zero.
+    fn scales(&self, columns: &Columns, measures: &Measures) -> Vec<f64> {
+        let spans = self.spans(columns);
+        let families = columns.families.iter().zip(spans);
+        let quantities: Vec<_> = families.map(|(family, span)| (&*family.name, &*family.unit, span)).collect();
+        measures.scales(&quantities)
     }
 }
 

@@ -1,8 +1,9 @@
 //! What the errors of a quantity are compared with: the range of all its components over a run.
 //!
 //! A component that is zero by symmetry has the round-off of the others for its range, so that all components of a
-//! quantity have one scale, the largest range among them. A quantity that is zero as a whole is found by what its unit
-//! amounts to in this system.
+//! quantity have one scale, the largest range among them, and at least a tenth of the largest quantity of its kind: an
+//! axial force of 12 N where a clamp bears 600 N is not judged to a percent of itself. A quantity that is zero as a whole
+//! is found by what its unit amounts to in this system.
 //!
 //! Beams that follow their heat or their prestress hold nothing, but for what a mesh makes of it: their forces and
 //! energies are compared with those that the same deformation would hold without heat or prestress.
@@ -11,6 +12,7 @@ use crate::math::Vec3;
 use crate::math::rotation::rotation_between;
 use crate::mechanics::output::beam_scale::BeamScale;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A quantity that changes by less than this share of its size is a constant: it is compared with its size.
 const CONSTANT: f64 = 1e-6;
@@ -19,6 +21,12 @@ const CONSTANT: f64 = 1e-6;
 const ZERO: f64 = 1e-9;
 /// Strains and quaternions: a strain of 1e-12 is round-off.
 const PURE_NUMBER: f64 = 1e-3;
+
+/// A quantity is compared with this share at least of the largest one of its kind: what is far smaller than the others
+/// does not matter to a reader.
+const SMALL: f64 = 0.1;
+/// A quantity below this share of the largest one of its kind is zero: the round-off of the others.
+const ROUND_OFF: f64 = 1e-6;
 
 /// What units amount to in a system.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,8 +53,29 @@ pub struct Beams {
 }
 
 impl Measures {
-    /// The scale of a quantity with this unit that ranges as `span`; 0: it is zero.
-    pub fn scale(&self, unit: &str, span: Span) -> f64 {
+    /// What the errors of quantities are compared with, each given with its name, its unit and how it ranges: its own
+    /// range, but at least a tenth of the largest one of its kind; 0: it is zero.
+    pub fn scales(&self, quantities: &[(&str, &str, Span)]) -> Vec<f64> {
+        let mut largest: BTreeMap<&str, f64> = BTreeMap::new();
+        for (name, unit, span) in quantities {
+            // Forces count from zero; what else there is may have any constant.
+            let extent = if matches!(*unit, "N" | "N.m") { span.size } else { span.range };
+            let own = largest.entry(kind(name, unit)).or_default();
+            *own = own.max(extent);
+        }
+        // Moments over the size of the system are forces.
+        let of_moments = largest.get("N.m").map_or(0.0, |moment| moment / self.size);
+        largest.entry("N").and_modify(|force| *force = force.max(of_moments));
+        let scale = |(name, unit, span): &(&str, &str, Span)| {
+            let largest = largest.get(kind(name, unit)).copied().unwrap_or(0.0);
+            let own = self.scale(unit, *span);
+            if own > ROUND_OFF * largest { own.max(SMALL * largest) } else { 0.0 }
+        };
+        quantities.iter().map(scale).collect()
+    }
+
+    /// The scale of a quantity with this unit that ranges as `span`, for itself; 0: it is zero.
+    fn scale(&self, unit: &str, span: Span) -> f64 {
         let scale = span.scale(self.natural(unit));
         if scale > 0.0 { scale.max(self.beams.relieved.of(unit)) } else { 0.0 }
     }
@@ -83,6 +112,12 @@ pub fn compare_turns(rotations: &[usize], own: &[f64], other: &mut [f64]) {
         let [from, to] = [own, &*other].map(|row| Vec3::from_row_slice(&row[*first..first + 3]));
         other[*first..first + 3].copy_from_slice((from + rotation_between(&from, &to)).as_slice());
     }
+}
+
+/// What is compared: quantities of one unit, and of those without a unit the ones of one name, `tip.axial_strain` with
+/// `foot.axial_strain`.
+fn kind<'a>(name: &'a str, unit: &'a str) -> &'a str {
+    if unit.is_empty() { name.rsplit('.').next().unwrap_or(name) } else { unit }
 }
 
 /// The family of all energies.

@@ -12,7 +12,10 @@ pub fn scales(columns: &[(&str, &str, &Tally)], measures: &Measures) -> Vec<f64>
         let span = spans.entry(family(name)).or_default();
         span.include(range(name, tally), tally.size());
     }
-    columns.iter().map(|(name, unit, _)| measures.scale(unit, spans[family(name)])).collect()
+    let units: BTreeMap<&str, &str> = columns.iter().map(|(name, unit, _)| (family(name), *unit)).collect();
+    let quantities: Vec<_> = spans.iter().map(|(name, span)| (*name, units[name], *span)).collect();
+    let scales: BTreeMap<&str, f64> = spans.keys().copied().zip(measures.scales(&quantities)).collect();
+    columns.iter().map(|(name, ..)| scales[family(name)]).collect()
 }
 
 /// The largest energy of a run, J; none: the energies are not among the columns.
