@@ -6,6 +6,7 @@
 use crate::refusal::{Refusal, place, raised, refusal};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
+use ancf14::model::refinement::{Refinement, leaves_mesh};
 use ancf14::model::rows;
 use ancf14::model::simulation::Halt;
 use ancf14::{Error, Kind, Simulation, VariableId};
@@ -41,14 +42,15 @@ struct Rows {
 /// How the other thread ended: with the page, or with an error and the line it names.
 type End = (Result<(), (Error, Option<(String, usize)>)>, Option<String>);
 
-/// Runs a simulation; an interruption halts its comparison run.
+/// Runs a simulation, and repeats it with finer steps and meshes if asked to `refine`, or if nothing is said where the
+/// file leaves the elements of a beam to the program; an interruption halts its comparison run.
 pub fn run(
     py: Python<'_>,
     (mut simulation, halt): (Simulation, &Halt),
     names: &[String],
     inputs: Vec<f64>,
-    film: bool,
-    last: Option<u64>,
+    (film, last): (bool, Option<u64>),
+    (refine, budget): (Option<bool>, f64),
 ) -> PyResult<Outcome> {
     let driven: Vec<VariableId> =
         names.iter().map(|name| simulation.find(name)).collect::<Result<_, _>>().map_err(|error| refusal(&error))?;
@@ -57,9 +59,39 @@ pub fn run(
     let (send, mut receive) = channel::<End>();
     let (own_rows, own_over) = (Arc::clone(&rows), Arc::clone(&is_over));
     let work = move || {
-        let mut film = film.then(|| Film::new(simulation.model(), whole(&simulation).min(last.unwrap_or(u64::MAX))));
-        let outcome = advance(&mut simulation, &own_rows, &own_over, (&driven, &inputs), film.as_mut(), last);
-        locked(&own_rows).warnings.extend(simulation.take_warnings());
+        let new_film = |simulation: &Simulation| {
+            film.then(|| Film::new(simulation.model(), whole(simulation).min(last.unwrap_or(u64::MAX))))
+        };
+        let mut film = new_film(&simulation);
+        // A page of some rows, and a run that its caller ends, are what they are.
+        let is_asked = refine.unwrap_or_else(|| leaves_mesh(simulation.model().document()));
+        let mut refinement = if is_asked && last.is_none() { simulation.refine(budget) } else { None };
+        let driven = (&*driven, &*inputs);
+        let outcome = advance(&mut simulation, &own_rows, &own_over, driven, film.as_mut(), last, refinement.as_mut());
+        let mut warnings = simulation.take_warnings();
+        if let Some(refinement) = refinement.as_mut().filter(|_| outcome.is_ok()) {
+            while !own_over.load(Ordering::Relaxed)
+                && let Some(mut next) = simulation.repeated(refinement)
+            {
+                let (rows, mut next_film) = (Mutex::new(Rows::default()), new_film(&next));
+                let parts = (next_film.as_mut(), Some(&mut *refinement));
+                match advance(&mut next, &rows, &own_over, driven, parts.0, last, parts.1) {
+                    // One that was stopped has fewer rows.
+                    Ok(()) if own_over.load(Ordering::Relaxed) => break,
+                    Ok(()) => {
+                        let rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
+                        // The warnings about the start stay those of the first run.
+                        let mut own = locked(&own_rows);
+                        (own.times, own.values) = (rows.times, rows.values);
+                        warnings = next.take_warnings();
+                        (simulation, film) = (next, next_film);
+                    }
+                    Err(error) => refinement.fail(error.to_string()),
+                }
+            }
+            warnings.extend(simulation.outcome(refinement).warning());
+        }
+        locked(&own_rows).warnings.extend(warnings);
         let outcome =
             outcome.map_err(|error| (place(&simulation, &error), error)).map_err(|(place, error)| (error, place));
         let page = film.and_then(|film| film.page(None).ok());
@@ -115,6 +147,7 @@ fn advance(
     (driven, inputs): (&[VariableId], &[f64]),
     mut film: Option<&mut Film>,
     last: Option<u64>,
+    mut refinement: Option<&mut Refinement>,
 ) -> Result<(), Error> {
     let outputs: Vec<VariableId> =
         simulation.variables().filter(|variable| variable.kind == Kind::Output).map(|variable| variable.id).collect();
@@ -129,7 +162,13 @@ fn advance(
         if let Some(film) = &mut film {
             film.look(row, simulation.model());
         }
+        if let Some(refinement) = &mut refinement {
+            simulation.look(refinement);
+        }
         let mut rows = locked(rows);
+        if row == 0 {
+            rows.warnings.append(&mut simulation.take_warnings());
+        }
         rows.times.push(decimal(simulation.time()));
         for id in &outputs {
             rows.values.push(simulation.value_of(*id)?);

@@ -7,6 +7,7 @@ pub mod builder;
 pub mod expression;
 pub mod file;
 mod flat;
+pub mod refinement;
 pub mod run;
 pub mod shape;
 pub mod text;

@@ -4,6 +4,7 @@
 //! which range, is decided there. The functions in C of `src/ffi/front.rs` stand on this type.
 
 mod error;
+mod refine;
 mod results;
 mod variable;
 

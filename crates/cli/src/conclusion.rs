@@ -6,6 +6,7 @@ use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::drawing::Drawing;
 use ancf14::model::effort::Statistics;
+use ancf14::model::refinement::{self, Outcome};
 use ancf14::model::run::accuracy::Inexact;
 use ancf14::model::simulation::Simulation;
 use ancf14_report::draw::{self, PROJECTIONS};
@@ -13,7 +14,7 @@ use ancf14_report::extremes::{Extremes, Peak, chosen};
 use ancf14_report::numbers::{significant, trimmed};
 use ancf14_report::overview::Overview;
 use ancf14_report::results::Results;
-use ancf14_report::summary::{EstimatedError, Summary};
+use ancf14_report::summary::{Accuracy, EstimatedError, Summary};
 use serde_json::json;
 use std::fmt::Write;
 
@@ -27,13 +28,14 @@ const LINES: usize = 10;
 const DIGITS: usize = 4;
 
 /// Sums up a run that took these counts and `wall` seconds; none if it has no row. `settings` are the overrides of
-/// `--set`.
+/// `--set`; `outcome` is there if the run may have been repeated.
 pub fn summary(
     simulation: &Simulation,
     results: &Results,
     settings: &[(String, String)],
     (statistics, wall): (Statistics, f64),
     is_complete: bool,
+    outcome: Option<&Outcome>,
 ) -> Option<Summary> {
     let about = simulation.about();
     Some(Summary {
@@ -52,14 +54,23 @@ pub fn summary(
         wall_time: wall,
         time_step_errors: sorted(&simulation.estimated_errors()),
         mesh_errors: sorted(simulation.mesh_errors()),
+        accuracy: outcome.map(|outcome| Accuracy {
+            runs: outcome.runs,
+            elements: outcome.elements,
+            reached: outcome.end == refinement::End::Reached,
+            worst: outcome.worst.as_ref().map(told),
+        }),
         columns: results.extremes(),
     })
 }
 
+fn told(error: &Inexact) -> EstimatedError {
+    EstimatedError { quantity: error.name.clone(), of_range: error.error }
+}
+
 /// Errors for programs, the largest first.
 fn sorted(errors: &[Inexact]) -> Vec<EstimatedError> {
-    let own = errors.iter().map(|own| EstimatedError { quantity: own.name.clone(), of_range: own.error });
-    let mut errors: Vec<EstimatedError> = own.collect();
+    let mut errors: Vec<EstimatedError> = errors.iter().map(told).collect();
     errors.sort_by(|a, b| b.of_range.total_cmp(&a.of_range));
     errors
 }
@@ -97,7 +108,8 @@ pub fn write(
 }
 
 /// Says what the run took, how exact it is, and what its outputs came to.
-pub fn tell(summary: &Summary, simulation: &Simulation) -> Result<(), Stop> {
+/// `outcome` is there if the run may have been repeated.
+pub fn tell(summary: &Summary, simulation: &Simulation, outcome: Option<&Outcome>) -> Result<(), Stop> {
     let Summary { reached, steps, iterations, rejected, wall_time, .. } = summary;
     let document = simulation.document();
     let counts =
@@ -107,6 +119,13 @@ pub fn tell(summary: &Summary, simulation: &Simulation) -> Result<(), Stop> {
     } else {
         format!("t = {reached} s: {counts}, {}", pace(*reached, *wall_time))
     })?;
+    if let Some(outcome) = outcome {
+        say(&outcome.line())?;
+    }
+    if outcome.is_some_and(|outcome| outcome.runs > 1) {
+        // The comparison of the runs has told it.
+        return table(&summary.columns, document.row_heading()).map_or(Ok(()), |table| say(&table));
+    }
     if let Some(worst) = simulation.least_accurate() {
         say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))?;
     }

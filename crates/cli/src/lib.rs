@@ -2,6 +2,7 @@
 //! 128 and the number of a signal that ended a run. The program and the Python package both call [`main`].
 
 mod advance;
+mod attempt;
 pub mod background;
 mod check;
 mod conclusion;
@@ -21,6 +22,7 @@ mod rows;
 mod run;
 mod shell;
 mod stages;
+mod stop;
 mod verify;
 mod view;
 mod voice;
@@ -29,8 +31,8 @@ mod watch;
 
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::model::file::Reach;
+use ancf14::model::refinement::{BUDGET, leaves_mesh};
 use ancf14::model::simulation::Simulation;
-use ancf14::model::text::diagnostic::{Diagnostic, Diagnostics};
 use ancf14_pack::libraries::Platform;
 use ancf14_report::draw::Projection;
 use ancf14_view::Film;
@@ -40,6 +42,7 @@ use loading::{failed, load, start};
 use std::ffi::{OsStr, OsString};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use stop::Stop;
 use verify::Wish;
 use voice::{Complaint, Style, complain, say};
 
@@ -87,6 +90,16 @@ enum Command {
         /// Leave out the second run of a motion, with half the elements, that tells the mesh error
         #[arg(long)]
         no_mesh_error: bool,
+        /// Repeat the run with finer steps until its results are accurate, where the model file leaves the steps to the
+        /// program. Where it leaves the elements of a beam to the program, that is the default
+        #[arg(long)]
+        refine: bool,
+        /// Run once, also where the model file leaves the elements of a beam to the program
+        #[arg(long, conflicts_with_all = ["refine", "budget"])]
+        no_refine: bool,
+        /// Bound of the cost of all repetitions together, over the cost of the first run
+        #[arg(long, value_name = "TIMES", default_value_t = BUDGET, value_parser = budget)]
+        budget: f64,
         /// Also write view.html, a page that shows the moving mechanism
         #[arg(long)]
         view: bool,
@@ -261,17 +274,10 @@ fn key_and_value(text: &str) -> Result<(String, String), String> {
     }
 }
 
-/// Why a command ends early, with its exit code.
-#[derive(Debug)]
-enum Stop {
-    /// The run failed: 1.
-    Failed(String),
-    /// Bad file or arguments: 2.
-    Bad(String),
-    /// Mistakes of the model file, each with its place: 2.
-    Mistaken(Diagnostics),
-    /// A signal ended it: the code is given.
-    Interrupted(String, u8),
+/// The value of `--budget`.
+fn budget(text: &str) -> Result<f64, String> {
+    let budget = text.parse().ok().filter(|budget| (1.0..=1e6).contains(budget));
+    budget.ok_or_else(|| String::from("how many times the cost of the first run was expected, from 1 to 1e6, like 20"))
 }
 
 /// Runs the command that the arguments ask for, the name of the program first, and returns the exit code. `pack` looks
@@ -302,55 +308,27 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>, program: Option<&Path
     }
 }
 
-impl Stop {
-    /// The exit code.
-    fn code(&self) -> u8 {
-        match self {
-            Self::Failed(_) => 1,
-            Self::Bad(_) | Self::Mistaken(_) => 2,
-            Self::Interrupted(_, code) => *code,
-        }
-    }
-
-    /// The errors one by one.
-    fn complaints(&self) -> Vec<Complaint> {
-        match self {
-            Self::Mistaken(mistakes) => mistakes.0.iter().map(complaint).collect(),
-            Self::Failed(message) | Self::Bad(message) | Self::Interrupted(message, _) => vec![Complaint::new(message)],
-        }
-    }
-}
-
-impl std::fmt::Display for Stop {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Mistaken(mistakes) => write!(f, "{mistakes}"),
-            Self::Failed(message) | Self::Bad(message) | Self::Interrupted(message, _) => write!(f, "{message}"),
-        }
-    }
-}
-
-/// A mistake of the model file as an error in a document.
-fn complaint(mistake: &Diagnostic) -> Complaint {
-    let some = |text: &str| (!text.is_empty()).then(|| text.to_owned());
-    Complaint {
-        location: Some(mistake.location().to_owned()),
-        line: mistake.line(),
-        column: mistake.column(),
-        excerpt: some(mistake.excerpt()),
-        label: some(mistake.label()),
-        help: some(mistake.help()),
-        ..Complaint::new(&mistake.message)
-    }
-}
-
 fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
     match command {
         Command::New { name: Some(name), template, .. } => new::new(&name, &template),
         Command::New { name: None, .. } => new::list(),
-        Command::Run { model, verify, no_mesh_error, view, inputs, from_state, save_state, format, out } => {
+        Command::Run {
+            model,
+            verify,
+            no_mesh_error,
+            refine,
+            no_refine,
+            budget,
+            view,
+            inputs,
+            from_state,
+            save_state,
+            format,
+            out,
+        } => {
             let (mut simulation, text) = model.load()?;
             let file_name = model.name();
+            let is_free = leaves_mesh(simulation.document());
             let is_wanted = verify.is_some() || simulation.document().simulation.verify;
             if is_wanted && inputs.is_some() {
                 let reason = "error: a run with --inputs cannot be verified: simulation.verify = true asks for it";
@@ -386,6 +364,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
                 settings,
                 wish,
                 is_alone: no_mesh_error,
+                budget: (refine || is_free && !no_refine).then_some(budget),
                 film,
                 format,
             };

@@ -1,24 +1,25 @@
 //! `run`: initialize, advance from row to row, write, plot, and say what it took.
 
+use super::attempt::{Attempt, NEXT, Script};
 use super::background;
 use super::conclusion::{self, PAGE, SUMMARY};
 use super::folder::Folder;
 use super::inputs::Inputs;
-use super::keeper::{Keeper, Signal, interrupted, kept};
+use super::keeper::Keeper;
 use super::output::{self, Input, trouble};
-use super::progress::{Plan, bar};
+use super::progress::Plan;
 use super::rows::{Rows, Shared, locked};
 use super::verify::{self, Wish};
-use super::{Stop, complain, failed, page, say, stages, start};
+use super::{Stop, complain, page, say, stages};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::effort::{self, Statistics};
+use ancf14::model::refinement::Refinement;
 use ancf14::model::simulation::{Beginning, Simulation};
 use ancf14_report::plot::Plot;
 use ancf14_report::results::Results;
 use ancf14_view::{Film, ended_early};
 use std::fs;
-use std::io;
 use std::path::Path;
 use std::time::Instant;
 
@@ -59,6 +60,8 @@ pub struct Order<'a> {
     pub wish: Option<Wish<'a>>,
     /// That no second run, with half the elements, tell the mesh error of a motion.
     pub is_alone: bool,
+    /// The cost of repetitions with finer steps and meshes at most, over that of the run; none: it is not repeated.
+    pub budget: Option<f64>,
     /// A page that shows the mechanism move.
     pub film: Option<Film>,
     /// The files of the table.
@@ -67,7 +70,7 @@ pub struct Order<'a> {
 
 /// Simulates and writes everything into the folder `directory`.
 pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Result<(), Stop> {
-    let Order { inputs, from, save, plan, read, settings, wish, is_alone, mut film, format } = order;
+    let Order { inputs, from, save, plan, read, settings, wish, is_alone, budget, film, format } = order;
     let last_row = plan.count;
     let mut folder = Folder::open(directory)?;
     let partial = folder.file(PARTIAL);
@@ -78,7 +81,7 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let rows = Rows::shared(partial.clone());
     let plots = Plot::all(&results.columns, simulation.document());
     let of_wish = wish.iter().flat_map(|_| &verify::FILES);
-    let own = [COMPLETE, PARTIAL, SUMMARY, PAGE]
+    let own = [COMPLETE, PARTIAL, NEXT, SUMMARY, PAGE]
         .iter()
         .chain(of_wish)
         .chain(film.iter().map(|_| &VIEW))
@@ -102,12 +105,24 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let before = from.as_ref().map_or(Statistics::default(), Beginning::counts);
     let begin = plan.begin;
     let clock = Instant::now();
-    let outcome = simulate(&mut simulation, (inputs, from.as_ref()), plan, &mut results, &rows, film.as_mut(), &keeper);
+    let mut refinement = match budget {
+        Some(budget) if wish.is_none() && from.is_none() => Refinement::of(&mut simulation, budget),
+        _ => None,
+    };
+    let script = Script { inputs, from: from.as_ref(), plan };
+    let mut attempt = Attempt { simulation, results, rows, film, held: Vec::new() };
+    let mut outcome = attempt.run(script, refinement.as_mut(), &keeper, false);
+    if let Some(refinement) = refinement.as_mut().filter(|_| outcome.is_ok()) {
+        outcome = attempt.repeat(script, refinement, &folder, &keeper);
+    }
     let wall = clock.elapsed().as_secs_f64();
     let is_complete = outcome.is_ok();
+    attempt.tell();
+    let Attempt { mut simulation, mut results, rows, film, .. } = attempt;
+    results.zeros = simulation.zeros();
     let saved = save.filter(|_| is_complete).map_or(Ok(()), |path| stages::save(path, &simulation));
     let finished = finish(&results, &rows, &plots, &folder, is_complete);
-    if is_complete {
+    if is_complete && refinement.is_none() {
         // This may wait for the comparison run: a signal still ends it.
         simulation.conclude();
         simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
@@ -118,9 +133,11 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
         complain(&format!("warning: {warning}"));
     }
     let outcome = outcome.map_err(|end| end.stop(&locked(&rows)));
-    let summary = conclusion::summary(&simulation, &results, settings, (statistics, wall), is_complete);
+    let refined = refinement.as_ref().filter(|_| is_complete).map(|own| own.outcome(&simulation));
+    let counts = (statistics, wall);
+    let summary = conclusion::summary(&simulation, &results, settings, counts, is_complete, refined.as_ref());
     let told = match (&finished, &summary) {
-        (Ok(_), Some(summary)) => conclusion::tell(summary, &simulation),
+        (Ok(_), Some(summary)) => conclusion::tell(summary, &simulation, refined.as_ref()),
         _ => Ok(()),
     };
     let (finished, mut pictures) = finished.map_or_else(|stop| (Err(stop), Vec::new()), |pictures| (Ok(()), pictures));
@@ -195,72 +212,4 @@ fn show(mut film: Film, folder: &Folder, outcome: &Result<(), Stop>, reached: f6
     }
     folder.write(VIEW, &page(&film)?)?;
     say(&format!("open {} in a browser to see it move", folder.file(VIEW).display()))
-}
-
-/// What ends a run early.
-enum End {
-    Model(Stop),
-    Write(io::Error),
-    Signal(Signal),
-}
-
-impl End {
-    /// The message, with the place of the rows so far.
-    fn stop(self, rows: &Rows) -> Stop {
-        let kept = rows.reached.map_or(String::new(), |reached| format!("\n{}", kept(reached, rows)));
-        match self {
-            Self::Model(Stop::Failed(message)) => Stop::Failed(format!("{message}{kept}")),
-            Self::Model(stop) => stop,
-            Self::Write(reason) => trouble(&rows.path, &reason),
-            Self::Signal(signal) => {
-                Stop::Interrupted(format!("error: {}{kept}", interrupted(signal)), signal.exit_code())
-            }
-        }
-    }
-}
-
-fn simulate(
-    simulation: &mut Simulation,
-    (inputs, from): (Option<&Inputs>, Option<&Beginning>),
-    Plan { begin, rows: [first, last], count }: Plan,
-    results: &mut Results,
-    rows: &Shared,
-    mut film: Option<&mut Film>,
-    keeper: &Keeper,
-) -> Result<(), End> {
-    let bar = bar(count);
-    let mut look = |row: u64, simulation: &Simulation| film.iter_mut().for_each(|film| film.look(row, simulation));
-    let mut record = |time: f64, simulation: &Simulation| {
-        locked(rows).push(time, &results.record(time, simulation)).map_err(End::Write)
-    };
-    // The bar appears with the first row.
-    if let Some(inputs) = inputs {
-        inputs.start(simulation, begin).map_err(|failure| End::Model(failed(simulation, &failure)))?;
-    }
-    match from {
-        Some(beginning) => stages::start(simulation, beginning),
-        None => start(simulation),
-    }
-    .map_err(End::Model)?;
-    record(begin, simulation)?;
-    look(0, simulation);
-    let outcome = (first..=last).try_for_each(|row| {
-        keeper.signal().map_or(Ok(()), |signal| Err(End::Signal(signal)))?;
-        let time = ancf14::model::rows::time(simulation.about(), row, last);
-        let advanced = match inputs {
-            Some(inputs) => inputs.advance(simulation, time),
-            None => simulation.advance(time),
-        };
-        for warning in simulation.take_warnings() {
-            bar.suspend(|| complain(&format!("warning: {warning}")));
-        }
-        advanced.map_err(|failure| End::Model(failed(simulation, &failure)))?;
-        record(time, simulation)?;
-        look(row - first + 1, simulation);
-        bar.set_message(format!("t = {time:.4} s"));
-        bar.inc(1);
-        Ok(())
-    });
-    bar.finish_and_clear();
-    outcome
 }

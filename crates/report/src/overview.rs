@@ -102,6 +102,7 @@ impl Overview<'_> {
             wall_time,
             time_step_errors,
             mesh_errors,
+            accuracy,
             settings,
             ..
         } = self.summary;
@@ -121,6 +122,15 @@ impl Overview<'_> {
                 format!("{} %", significant(100.0 * worst.of_range, 2))
             };
             Some((word, size, remark))
+        }));
+        facts.extend(accuracy.as_ref().and_then(|own| {
+            let worst = own.worst.as_ref()?;
+            let plural = if own.runs == 1 { "" } else { "s" };
+            let remark = format!(
+                "{} run{plural}, {} elements; {} is the least accurate result",
+                own.runs, own.elements, worst.quantity
+            );
+            Some(("accuracy reached", format!("{} %", significant(100.0 * worst.of_range, 2)), remark))
         }));
         facts.extend(settings.iter().map(|(key, value)| ("--set", format!("{key} = {value}"), String::new())));
         writeln!(page, "<dl class=\"facts\">")?;
@@ -252,6 +262,7 @@ mod tests {
             wall_time: 0.125,
             time_step_errors: Vec::new(),
             mesh_errors: Vec::new(),
+            accuracy: None,
             columns: vec![Extremes {
                 name: String::from("tip.position[3]"),
                 unit: String::from("m"),

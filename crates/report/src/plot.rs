@@ -115,6 +115,13 @@ impl Plot {
         Chart { title: format!("{}{remark}", self.name), axes, layout, lines }
     }
 
+    /// Whether what it shows is zero but for round-off: its noise is not a curve.
+    fn is_zero(&self, results: &Results) -> bool {
+        // `shape.velocity.2` is a component of `shape.velocity`.
+        let quantity = self.name.trim_end_matches(|letter: char| letter == '.' || letter.is_ascii_digit());
+        results.zeros.iter().any(|zero| zero == quantity)
+    }
+
     fn curves(&self, results: &Results) -> Vec<Line> {
         let line = |(color, column): (usize, &usize)| {
             let Column { name, trace, .. } = &results.columns[*column];
@@ -123,7 +130,11 @@ impl Plot {
                 own if !own.component.is_empty() => own.axis(),
                 _ => name.split_once('.').map_or(name.as_str(), |(_, rest)| rest),
             };
-            Line { name: label.to_owned(), stroke: Stroke::Solid, color, points: trace.points() }
+            let mut points = trace.points();
+            if self.is_zero(results) {
+                points.iter_mut().for_each(|point| point.1 = 0.0);
+            }
+            Line { name: label.to_owned(), stroke: Stroke::Solid, color, points }
         };
         self.columns.iter().enumerate().map(line).collect()
     }
@@ -167,7 +178,8 @@ impl Plot {
                     .map(|place: &[f64; 3]| Projection::Oblique.flat(*place).into())
                     .collect(),
                 Kind::Time | Kind::ArcLength | Kind::Path | Kind::Length => {
-                    values.iter().enumerate().map(|(k, value)| (k as f64 / last, *value)).collect()
+                    let shown = |value: f64| if self.is_zero(results) { 0.0 } else { value };
+                    values.iter().enumerate().map(|(k, value)| (k as f64 / last, shown(*value))).collect()
                 }
             };
             // Instants of equal steps have tails: six digits tell them apart.

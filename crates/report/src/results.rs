@@ -47,6 +47,8 @@ pub struct Results {
     pub last_row: u64,
     /// All rows, if somebody wants them.
     kept: Option<Kept>,
+    /// Quantities that are zero but for round-off, `tip.velocity`; all energies are `energy`. Plots show them as zero.
+    pub zeros: Vec<String>,
 }
 
 /// All rows, column by column.
@@ -78,13 +80,18 @@ impl Results {
             trace: Trace::new(room),
         };
         let columns = outputs().map(column).collect();
-        Self { columns, count: 0, snapshots: Vec::new(), last: None, last_row, kept: None }
+        Self { columns, count: 0, snapshots: Vec::new(), last: None, last_row, kept: None, zeros: Vec::new() }
     }
 
     /// Keeps all rows from now on, for `npz`.
     pub fn keep(&mut self) {
         let count = self.columns.len();
         self.kept = Some(Kept { time: Vec::new(), columns: vec![Vec::new(); count], are_whole: vec![false; count] });
+    }
+
+    /// Whether all rows are kept.
+    pub fn is_kept(&self) -> bool {
+        self.kept.is_some()
     }
 
     /// The bytes of results.npz, with the numbers of results.csv: an array for each column, `time` among them, and the

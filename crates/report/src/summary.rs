@@ -37,8 +37,24 @@ pub struct Summary {
     pub time_step_errors: Vec<EstimatedError>,
     /// Estimated errors of equilibria because of the mesh, the largest first; empty: not known.
     pub mesh_errors: Vec<EstimatedError>,
+    /// The runs that the accuracy has taken, where the program chooses steps or meshes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<Accuracy>,
     /// All columns, in the order of results.csv.
     pub columns: Vec<Extremes>,
+}
+
+/// The accuracy of a run that is repeated until it is accurate.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Accuracy {
+    /// How many runs there were.
+    pub runs: u32,
+    /// Elements of the last one.
+    pub elements: usize,
+    /// Whether its results are as accurate as a reader expects.
+    pub reached: bool,
+    /// The largest error of the last one; none: there is nothing to judge.
+    pub worst: Option<EstimatedError>,
 }
 
 /// How far a quantity is off.

@@ -5,7 +5,7 @@ use super::frame_cache::FrameCache;
 use crate::math::hermite;
 use crate::math::rotation::carry;
 use crate::math::vectors::set_vec3;
-use crate::mechanics::beam::ancf14::coordinates::{NODE, P, R, THETA, interpolate};
+use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, NODE, P, R, THETA, interpolate};
 use crate::mechanics::beam::ancf14::element::Element;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::marker::Marker;
@@ -18,7 +18,7 @@ const SAME_LENGTH: f64 = 1e-9;
 
 impl System {
     /// Sets `state`, one of this system as drawn, to the shape of `from`, a state of `coarse`: the same mechanism with
-    /// half the elements in every beam. Returns false for elements other than ANCF14, for beams whose finer mesh moves
+    /// half the elements in every beam, or as many. Returns false for elements other than ANCF14, for beams whose finer mesh moves
     /// the nodes, and where positions count from another origin.
     pub fn take_shape(&self, state: &mut State, coarse: &Self, from: &State) -> bool {
         let (own, other) = (self.mesh.coordinates(), coarse.mesh.coordinates());
@@ -32,6 +32,15 @@ impl System {
         let mut frames = FrameCache::default();
         let c = frames.of(coarse, from);
         for (beam, coarse_beam) in self.beams.iter().zip(&coarse.beams) {
+            if beam.elements() == coarse_beam.elements() {
+                for (own, other) in beam.element_range().zip(coarse_beam.element_range()) {
+                    let [own, other] =
+                        [(self, own), (coarse, other)].map(|(system, k)| system.mesh.elements[k].ancf14());
+                    let (Some(own), Some(other)) = (own, other) else { return false };
+                    copy([own, other], state, from);
+                }
+                continue;
+            }
             if beam.elements() != 2 * coarse_beam.elements() {
                 return false;
             }
@@ -50,6 +59,17 @@ impl System {
         self.set_heats(from.instant(), &from.targets, &mut state.prescribed.heats);
         true
     }
+}
+
+/// Sets the nodes and the holonomy angle of an element to those of the same one in `from`.
+fn copy(elements: [&Element; 2], state: &mut State, from: &State) {
+    let [own, other] = elements.map(|element| element.place);
+    let nodes = other.start..other.start + ELEMENT;
+    state.q[own.start..own.start + ELEMENT].copy_from_slice(&from.q[nodes]);
+    for node in 0..2 {
+        state.triads[own.frame + node] = from.triads[other.frame + node];
+    }
+    state.holonomy[own.branch] = from.holonomy[other.branch];
 }
 
 /// Sets the nodes and holonomy angles of two elements to the shape of `element`, number `number` of the configuration

@@ -9,10 +9,10 @@ use super::entries::simulation::{Analysis, SimulationSpec, Steps};
 use super::entries::winch::WinchSpec;
 use super::entries::{Parts, keys_of};
 use super::many_results;
-use super::number::{Number, Numbers};
+use super::number::{Number, Numbers, Written};
 use super::objections;
 use super::overrides;
-use super::parameter::Parameter;
+use super::parameter::{Parameter, typed};
 use super::range::Range;
 use super::reader::{Context, Reader};
 use super::released;
@@ -63,6 +63,7 @@ impl Document {
             names: Names::default(),
             carriers: Vec::new(),
             moving_frames: Vec::new(),
+            free_meshes: Vec::new(),
             functions: Vec::new(),
         };
         context.names = collect_names(&tree, &mut context);
@@ -133,7 +134,19 @@ impl Document {
             return None;
         };
         let stop = self.value(stop);
-        Some(Pacing { accuracy: self.value(accuracy), duration: if stop > start { stop - start } else { stop } })
+        let duration = if stop > start { stop - start } else { stop };
+        Some(Pacing { accuracy: self.value(accuracy), duration, is_given: false })
+    }
+
+    /// Gives a beam whose file leaves that to the program so many elements.
+    pub(in crate::model) fn choose_elements(&mut self, beam: usize, count: usize) {
+        let number = self.parts.beams[beam].elements;
+        let slot = &mut self.numbers.slots[number.0];
+        slot.written = Written::Plain(count as f64);
+        self.numbers.values[number.0] = count as f64;
+        let start = typed(slot, count as f64);
+        let own = self.parameters.iter_mut().filter(|parameter| parameter.number == number);
+        own.for_each(|parameter| parameter.variable.start = start);
     }
 
     /// The values of three numbers.

@@ -308,6 +308,24 @@ impl Accuracy {
         self.shares(columns, measures, error)
     }
 
+    /// All families of results with the difference of this run and another one, each over the `divisor` of families
+    /// that are configurations (positions, angles, energies) or not.
+    pub fn errors_of_pair(
+        &self,
+        columns: &Columns,
+        measures: &Measures,
+        (differences, is_motion): (&Differences, bool),
+        divisor: impl Fn(&str, bool) -> f64,
+    ) -> Vec<Inexact> {
+        let error = |number: usize, family: &Family| {
+            // Results of equilibria do not jump.
+            let left_out = if is_motion { family.left_out() } else { 0.0 };
+            let difference = differences.families.get(number)?.exceeded_by(left_out);
+            Some(difference / divisor(&family.name, family.order == ORDER))
+        };
+        self.shares(columns, measures, error)
+    }
+
     /// All families of results with their errors, given in their units by number and family, as shares of their ranges;
     /// none of quantities that are zero.
     fn shares(
@@ -324,6 +342,13 @@ impl Accuracy {
             (scale > 0.0).then(|| Inexact { name: name.clone(), error, is_rough: *is_rough })
         });
         found.collect()
+    }
+
+    /// The names of the families that are zero but for round-off.
+    pub fn zeros(&self, columns: &Columns, measures: &Measures) -> Vec<String> {
+        let scales = self.scales(columns, measures);
+        let zeros = columns.families.iter().zip(scales).filter(|(_, scale)| *scale == 0.0);
+        zeros.map(|(family, _)| family.name.clone()).collect()
     }
 
     /// What the errors of the families are compared with; 0: the family is zero.
@@ -436,7 +461,7 @@ impl Inexact {
 }
 
 /// A share in percent, with two digits.
-fn percent(share: f64) -> String {
+pub fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     let digits = if percent == 0.0 { 0 } else { (1 - percent.log10().floor() as i32).clamp(0, 6) as usize };
     format!("{percent:.digits$} %")

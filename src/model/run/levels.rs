@@ -132,18 +132,29 @@ fn with_quadratic_twist(document: &Document, mesh: Vec<Override>) -> Vec<Overrid
 }
 
 /// Other numbers of elements in all beams, each from the beam's place and its own number; none where one of them has no
-/// such number.
+/// such number. Beams that keep theirs, and what holds on to them, stay as they are written.
 fn mesh(document: &Document, other: impl Fn(usize, usize) -> Option<usize>) -> Option<Vec<Override>> {
     let mut overrides = Vec::new();
     for (place, beam) in document.beams.iter().enumerate() {
-        let count = other(place, elements(document, beam))?;
-        overrides.push((format!("{}.elements", beam.name), count.to_string()));
+        let own = elements(document, beam);
+        let count = other(place, own)?;
+        if count != own {
+            overrides.push((format!("{}.elements", beam.name), count.to_string()));
+        }
+        // A beam with a number of elements has linear twist unless it says otherwise.
+        let is_quadratic = matches!(beam.formulation, Elements::Ancf14 { twist: Twist::Quadratic, .. });
+        if count != own && beam.is_meshed_by_program && is_quadratic {
+            overrides.push((format!("{}.twist", beam.name), String::from("quadratic")));
+        }
     }
     for (key, spot) in anchors(document) {
         let Spot::Beam { beam: place, along: Along::Node(node) } = spot else { continue };
         let beam = &document.beams[place];
-        let count = elements(document, beam);
-        overrides.push((key, same_place(document, beam, node, [count, other(place, count)?])?));
+        let own = elements(document, beam);
+        let count = other(place, own)?;
+        if count != own {
+            overrides.push((key, same_place(document, beam, node, [own, count])?));
+        }
     }
     Some(overrides).filter(|_| !document.beams.is_empty())
 }
@@ -185,6 +196,20 @@ impl OtherMesh {
         let ratio = ratios.filter(|ratio| *ratio > 1.0).reduce(f64::min)?;
         Some(Self { overrides: mesh(document, |place, own| Some(count(place, own)))?, ratio })
     }
+}
+
+/// Overrides for `finer` times the elements of the beams that are `chosen`, or the fewest beyond that with which joints
+/// find their nodes, but twice as many at most; none where a beam has no such mesh.
+pub fn finer(document: &Document, chosen: &[bool], finer: f64) -> Option<Vec<Override>> {
+    mesh(document, |place, own| {
+        if chosen.get(place) != Some(&true) {
+            return Some(own);
+        }
+        let (beam, held) = (&document.beams[place], held_places(document, place, own));
+        let fits = |count: &usize| held.iter().all(|fraction| shape::fits(document, beam, *count, *fraction));
+        let least = (finer * own as f64).ceil() as usize;
+        Some((least..2 * own).find(fits).unwrap_or(2 * own))
+    })
 }
 
 /// Fractions of a beam of `elements` elements at which joints hold on to nodes between its ends.

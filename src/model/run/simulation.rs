@@ -6,9 +6,11 @@ mod conclusion;
 mod derivatives;
 mod first_state;
 mod guid;
+mod guided;
 mod kept;
 mod loading;
 mod mesh_error;
+mod repeat;
 mod runner;
 mod saved;
 mod solver;
@@ -79,6 +81,14 @@ pub struct Simulation {
     mesh_errors: Vec<Inexact>,
     /// The families of results whose errors are warned of; none: all.
     judged: Option<Vec<String>>,
+    /// It is compared with another run, which tells its errors better than the estimates of one run.
+    is_compared: bool,
+    /// The mesh error of a run with this mesh, and its warning: a repetition with finer steps has the same.
+    mesh_known: (Vec<Inexact>, Option<String>),
+    /// The run with half the elements that finds the equilibria.
+    guide: Option<Box<Self>>,
+    /// It is such a run: what it is watched for, the finer one tells.
+    leads: bool,
     inputs: Inputs,
     last: LastStep,
     /// A communication step that is taken part by part.
@@ -119,6 +129,10 @@ impl Simulation {
             first_state: None,
             mesh_errors: Vec::new(),
             judged: None,
+            is_compared: false,
+            mesh_known: (Vec::new(), None),
+            guide: None,
+            leads: false,
             table: Arc::new(table),
             runner: Runner::new(built, &document, 0.0),
             inputs: Inputs::new(&document),
@@ -223,6 +237,9 @@ impl Simulation {
         self.frames = FrameCache::default();
         self.forget_step();
         self.watch = Watch::new(&self.document);
+        if self.is_compared && self.mesh_known.0.is_empty() {
+            self.watch.trust_mesh();
+        }
         self.accuracy = Accuracy::default();
         self.forget_mesh_errors();
         let outcome = self.measure();
@@ -249,7 +266,7 @@ impl Simulation {
         let Runner { system, state, solver, .. } = &mut self.runner;
         let frames = solver.spare().map_or(&mut self.frames, |spare| spare.frames);
         let odd = self.watch.look(system, state, &self.table, &self.results, frames);
-        self.warnings.extend(odd);
+        self.warnings.extend(odd.into_iter().filter(|_| !self.leads));
         self.accuracy.include(&self.columns, &self.results);
         self.keep_peak();
         if self.accuracy.is_due(self.runner.state.statistics.steps) {

@@ -80,6 +80,16 @@ impl Watch {
         mesh.into_iter().chain(alternation).collect()
     }
 
+    /// Leaves the mesh to a comparison with another one.
+    pub fn trust_mesh(&mut self) {
+        self.mesh.trust();
+    }
+
+    /// Whether a mesh that may be too coarse was warned of.
+    pub fn doubts_mesh(&self) -> bool {
+        self.mesh.has_warned()
+    }
+
     /// Strain energy of the last state that was looked at, J; 0: none was.
     pub fn strain_energy(&self) -> f64 {
         self.mesh.strain_energy

@@ -4,6 +4,7 @@
 //! A number that is wrong itself is reported elsewhere: what hangs on it is passed over here.
 
 mod heat;
+mod meshes;
 pub mod notes;
 mod paths;
 mod sections;
@@ -67,7 +68,8 @@ impl Document {
         };
         let files = folder.map(|folder| Files { folder: folder.path(), read: &read });
         let source = flat::flat(Source::new(file_name, text, overrides), overrides, files)?;
-        let (document, mut report) = Self::read(&source, overrides);
+        let (mut document, mut report) = Self::read(&source, overrides);
+        document.iter_mut().for_each(meshes::choose);
         report.extend(document.as_ref().map_or(Vec::new(), mistakes));
         document.filter(|_| report.is_empty()).ok_or_else(|| report.finish())
     }

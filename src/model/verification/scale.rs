@@ -84,6 +84,20 @@ mod tests {
         assert_eq!(found, [98.1 + 1e-9, 0.0, 0.0]);
     }
 
+    /// An axial force beside a moment that bends is compared with a tenth of what the moment is as a force, 9000 N m over
+    /// 2 m, and one of round-off with nothing; strains have no share in pure numbers of other names.
+    #[test]
+    fn small_quantities_are_compared_with_the_largest_of_their_kind() {
+        let found = of([
+            ("foot.section_force", "N", [0.0, 12.0]),
+            ("foot.section_moment[1]", "N.m", [0.0, 9000.0]),
+            ("hinge.effort", "N", [0.0, 4e-3]),
+            ("foot.axial_strain", "", [0.0, 1e-3]),
+            ("body.quaternion[1]", "", [0.5, 1.0]),
+        ]);
+        assert_eq!(found, [450.0, 9000.0, 0.0, 1e-3, 0.5]);
+    }
+
     /// Energies are one quantity; the constant in that of gravity does not count.
     #[test]
     fn energies_are_compared_with_the_largest() {

@@ -2,6 +2,7 @@
 //! at their ends.
 
 pub mod constrained_mass;
+pub mod course;
 pub mod integrator;
 pub mod limits;
 pub mod linearized;

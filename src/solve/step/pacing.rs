@@ -65,13 +65,15 @@ pub struct Pacing {
     pub accuracy: f64,
     /// Length of the motion, s.
     pub duration: f64,
+    /// The steps follow a given course: none is refused because of its error.
+    pub is_given: bool,
 }
 
 impl Pacing {
     /// The error of a step of `step` s from `time`, `error` of places over the system's size and of slopes and angles,
     /// over that allowed.
     fn ratio(self, pace: &Pace, error: [f64; 2], step: f64, time: f64) -> f64 {
-        let Self { accuracy, duration } = self;
+        let Self { accuracy, duration, .. } = self;
         let fading = (1.0 - (time - pace.since) / (STARTING * duration)).max(0.0);
         let least_range = LEAST_RANGE.max(STARTING_RANGE * fading);
         // Shares of the duration, of the step and of one that is short.
@@ -87,13 +89,13 @@ impl Pacing {
         ratios.fold(0.0, f64::max)
     }
 
-    /// Refuses a step whose error is too large; otherwise remembers it in `pace`.
+    /// Refuses a step whose error is too large, unless it was given; otherwise remembers it in `pace`.
     ///
     /// # Errors
     /// It is too large.
     pub fn judge(self, pace: &mut Pace, error: Option<[f64; 2]>, step: f64, time: f64) -> Result<(), Error> {
         let ratio = error.map_or(0.0, |error| self.ratio(pace, error, step, time));
-        if ratio > TOO_LARGE {
+        if ratio > TOO_LARGE && !self.is_given {
             return Err(Error::Inexact { time, step, ratio });
         }
         pace.damping_step = f64::max(FADING * pace.damping_step, step);

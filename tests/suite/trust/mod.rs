@@ -12,6 +12,7 @@ pub mod limits_of_models;
 pub mod mesh_error_of_units;
 pub mod mesh_truth;
 pub mod motion_meshes;
+pub mod refinement;
 pub mod relieved_strains;
 pub mod scales;
 pub mod shipped_models;

@@ -12,6 +12,7 @@ mod modes_command;
 mod new_command;
 mod output_files;
 mod programs;
+mod refined_runs;
 mod same_results;
 mod shells;
 mod stages;

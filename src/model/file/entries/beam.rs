@@ -47,6 +47,8 @@ pub(super) const KEYS: &[Key] = &[
 const Y_AXIS: Rule = Rule::new("y_axis", "direction of the section's y at the start, global", "");
 /// More elements than this are a slip of the finger.
 const MOST_ELEMENTS: f64 = 1e5;
+/// The program begins with so many elements at least: most beams are right to 1 % then (docs/accuracy.md).
+pub const FEWEST_ELEMENTS: f64 = 8.0;
 const ELEMENTS: Rule = Rule::new("elements", "number of elements", "").from(1.0).to(MOST_ELEMENTS).count();
 const PRETWIST: Rule = Rule::new("pretwist", "additional turn of the section from start to end", "rad");
 const PRETENSION: Rule = Rule::new("pretension", "axial force of the beam as drawn, tension positive", "N");
@@ -78,6 +80,8 @@ pub struct BeamSpec {
     pub y_axis: [Number; 3],
     /// Number of elements.
     pub elements: Number,
+    /// The file leaves that number to the program.
+    pub is_meshed_by_program: bool,
     /// How its elements are formulated.
     pub formulation: Elements,
     /// Additional turn of the section from start to end, rad.
@@ -123,9 +127,10 @@ enum Word {
     Ancf24,
 }
 
-/// Reads how the elements of a beam are formulated, with the strain `strain` unless another one is written. Keys of the
+/// Reads how the elements of a beam are formulated, with the strain `strain` unless another one is written, and with
+/// quadratic twist where the mesh `is_meshed_by_program`: linear twist is often most of a mesh error. Keys of the
 /// other formulation are mistakes; those of the file go with its `element`, where an override gives another one.
-fn formulation(reader: &mut Reader<'_, '_>, strain: Strain) -> Elements {
+fn formulation(reader: &mut Reader<'_, '_>, strain: Strain, is_meshed_by_program: bool) -> Elements {
     let is_overridden = reader.is_overridden("element");
     let foreign = |reader: &mut Reader<'_, '_>, keys: &[&str], own: &str, other: &str| {
         for key in keys {
@@ -153,11 +158,11 @@ fn formulation(reader: &mut Reader<'_, '_>, strain: Strain) -> Elements {
     match reader.word("element", &ELEMENT_WORDS, Some(Word::Ancf14)).unwrap_or(Word::Ancf14) {
         Word::Ancf14 => {
             foreign(reader, &own24, "ancf24", "ancf14");
-            Elements::Ancf14 {
-                strain: reader.word("strain", &STRAINS, Some(strain)).unwrap_or(strain),
-                twist: reader.word("twist", &TWISTS, Some(Twist::Linear)).unwrap_or(Twist::Linear),
-                torsion: if reader.boolean("torsion", true) { Torsion::Free } else { Torsion::Suppressed },
-            }
+            let strain = reader.word("strain", &STRAINS, Some(strain)).unwrap_or(strain);
+            let torsion = if reader.boolean("torsion", true) { Torsion::Free } else { Torsion::Suppressed };
+            let is_fine = is_meshed_by_program && torsion == Torsion::Free;
+            let twist = if is_fine { Twist::Quadratic } else { Twist::Linear };
+            Elements::Ancf14 { strain, twist: reader.word("twist", &TWISTS, Some(twist)).unwrap_or(twist), torsion }
         }
         Word::Ancf24 => {
             foreign(reader, &own14, "ancf14", "ancf24");
@@ -210,11 +215,15 @@ impl BeamSpec {
         };
         let line = Line::read(&mut reader);
         let y_axis = reader.vector_or(&Y_AXIS, [0.0, 1.0, 0.0]);
-        let elements = reader.number(&ELEMENTS);
+        let is_meshed_by_program = !reader.has(ELEMENTS.key);
+        let elements = reader.number_or(&ELEMENTS, FEWEST_ELEMENTS);
+        // Hosts may set it also where the file does not give it.
+        reader.context.numbers.slots[elements.0].listed.get_or_insert(usize::MAX);
+        reader.context.free_meshes.push(is_meshed_by_program);
         // Rigidities are what they say they are: moments in proportion to curvatures. Of a section that is known the
         // fibers' strain is.
         let strain = if has_material { Strain::Small } else { Strain::Large };
-        let formulation = formulation(&mut reader, strain);
+        let formulation = formulation(&mut reader, strain, is_meshed_by_program);
         let pretwist = reader.number_or(&PRETWIST, 0.0);
         let rotary_inertia = reader.boolean("rotary_inertia", true);
         let pretension = reader.optional(&PRETENSION);
@@ -234,6 +243,7 @@ impl BeamSpec {
             line,
             y_axis,
             elements,
+            is_meshed_by_program,
             formulation,
             pretwist,
             rotary_inertia,

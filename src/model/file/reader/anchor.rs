@@ -228,6 +228,13 @@ fn parse(context: &mut Context<'_>, text: &str, place: Place, allowed: &Allowed)
             ".start" => Along::Start,
             ".end" => Along::End,
             _ => match node(rest) {
+                Some(_) if context.free_meshes.get(beam) == Some(&true) => {
+                    let at = context.report.source.inside(place, text, length..text.len());
+                    let message = format!("beam {name} has no numbered nodes: [beam.{name}] gives no `elements`");
+                    let help = format!("name the place itself, as in {name}@0.3, or give `elements` in [beam.{name}]");
+                    context.report.error(at, &message, "the program chooses the nodes", &help);
+                    return None;
+                }
                 Some(node) => Along::Node(node),
                 None => {
                     let message = match rest {

@@ -34,6 +34,8 @@ pub struct Context<'a> {
     pub carriers: Vec<Option<Anchor>>,
     /// Whether the frames of the file move, in their order.
     pub moving_frames: Vec<bool>,
+    /// Whether the program chooses the elements of the beams of the file, in their order.
+    pub free_meshes: Vec<bool>,
     /// The functions of the file, by their names.
     pub functions: Vec<(String, Callee)>,
 }

@@ -171,7 +171,7 @@ impl Simulation {
     }
 
     /// Counts the steps so far, rejected ones too.
-    fn tried_steps(&self) -> u64 {
+    pub(super) fn tried_steps(&self) -> u64 {
         let statistics = &self.runner.state.statistics;
         statistics.steps.saturating_add(statistics.rejected)
     }

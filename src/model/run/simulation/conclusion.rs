@@ -16,6 +16,11 @@ impl Simulation {
         self.accuracy.errors(&self.columns, &self.measures(), self.document.simulation.correction)
     }
 
+    /// The families of results that are zero but for round-off: pictures show them as that.
+    pub fn zeros(&self) -> Vec<String> {
+        self.accuracy.zeros(&self.columns, &self.measures())
+    }
+
     /// The family of results with the largest estimated error.
     pub fn least_accurate(&self) -> Option<Inexact> {
         self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
@@ -29,7 +34,7 @@ impl Simulation {
     }
 
     /// Whether errors of a family of results are warned of.
-    fn is_judged(&self, own: &Inexact) -> bool {
+    pub(super) fn is_judged(&self, own: &Inexact) -> bool {
         self.judged.as_ref().is_none_or(|judged| judged.contains(&own.name))
     }
 
@@ -46,15 +51,20 @@ impl Simulation {
         };
         let errors = self.estimated_errors().into_iter().filter(|own| self.is_judged(own));
         let of_steps = errors.max_by(|a, b| a.error.total_cmp(&b.error)).and_then(|worst| worst.warning(setting));
-        let seen_from = self.find_mesh_errors();
+        let seen_from = if self.is_compared { "" } else { self.find_mesh_errors() };
         let errors = self.mesh_errors.iter().filter(|own| self.is_judged(own));
         let worst = errors.max_by(|a, b| a.excess().total_cmp(&b.excess()));
         let twists = self.document.beams.iter().any(levels::has_linear_twist);
         let of_mesh = worst.and_then(|worst| worst.warning_of_mesh(seen_from, twists));
-        if of_steps.is_none() && of_mesh.is_none() {
-            self.warnings.extend(self.warning_of_both(setting));
+        if self.is_compared {
+            let (errors, warning) = &self.mesh_known;
+            self.mesh_errors.clone_from(errors);
+            self.warnings.extend(warning.clone());
+        } else {
+            self.mesh_known = (self.mesh_errors.clone(), of_mesh.clone());
+            let of_both = if of_steps.is_none() && of_mesh.is_none() { self.warning_of_both(setting) } else { None };
+            self.warnings.extend(of_both.into_iter().chain(of_steps).chain(of_mesh));
         }
-        self.warnings.extend(of_steps.into_iter().chain(of_mesh));
         let (begin, end) = (self.document.drawn_at(self.runner.start), self.runner.state.instant());
         let Runner { system, state, .. } = &self.runner;
         self.warnings.extend(self.watch.conclude(system, state, &self.table, [begin, end]));

@@ -10,6 +10,7 @@ use crate::model::builder::{self, Built};
 use crate::model::file::document::Document;
 use crate::model::file::entries::simulation::{Analysis, Initial};
 use crate::solve::dynamics::start;
+use crate::solve::step::course::{Course, Noting};
 use crate::solve::step::integrator::{Integrator, grid_step};
 use crate::solve::step::limits;
 use crate::solve::step::pacing::Pacing;
@@ -46,6 +47,10 @@ pub(super) struct Runner {
     pub(super) step: f64,
     /// None: internal steps are given.
     pub(super) pacing: Option<Pacing>,
+    /// The steps of a motion that are given one by one; none: they follow from the two above.
+    pub(super) course: Option<Course>,
+    /// The ends of the steps so far, s; none: nobody asks for them.
+    pub(super) ends: Option<Vec<f64>>,
     /// The initialization that the system is from; none yet: no solver. Shared with the snapshots taken since, of which
     /// a solver is scratch memory only.
     pub(super) initialization: Arc<()>,
@@ -81,10 +86,21 @@ impl Runner {
             start,
             step: document.largest_step(),
             pacing: document.pacing(start),
+            course: None,
+            ends: None,
             initialization: Arc::new(()),
             solver: Solver::None,
             responder: None,
             response: Response::default(),
+        }
+    }
+
+    /// Takes the course of another runner, and notes the ends of steps if that one does.
+    pub(super) fn take_course(&mut self, other: &Self) {
+        self.course.clone_from(&other.course);
+        self.ends = other.ends.as_ref().map(|_| Vec::new());
+        if let Some(pacing) = &mut self.pacing {
+            pacing.is_given = self.course.is_some();
         }
     }
 
@@ -299,7 +315,13 @@ impl Runner {
         let (system, state) = (&self.system, &mut self.state);
         match &mut self.solver {
             Solver::None => Err(Error::NotInitialized),
-            Solver::Midpoint(midpoint) => plan.march(midpoint.as_mut(), system, state),
+            Solver::Midpoint(midpoint) => {
+                let mut integrator = Noting { integrator: midpoint.as_mut(), ends: self.ends.as_mut() };
+                match &self.course {
+                    Some(course) => course.advance(&mut integrator, system, state, plan.end),
+                    None => plan.march(&mut integrator, system, state),
+                }
+            }
             Solver::GeneralizedAlpha(alpha) => plan.march(alpha.as_mut(), system, state),
             Solver::Statics(statics) => plan.march(statics.as_mut(), system, state),
         }

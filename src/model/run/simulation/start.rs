@@ -70,10 +70,13 @@ impl Simulation {
                 Runner::new(built, document, start)
             }
         };
+        runner.take_course(&self.runner);
         let origin = runner.system.origin;
         builder::aim(document, &origin, |number| self.inputs.line(number), [start; 2], &mut runner.state.targets);
-        let warnings = runner.find_initial_state(document, self.table.needs_response())?;
-        self.warnings.extend(warnings);
+        if !self.start_along_guide(&mut runner, start)? {
+            let warnings = runner.find_initial_state(&self.document, self.table.needs_response())?;
+            self.warnings.extend(warnings);
+        }
         self.begin_with(runner).map_err(NoStart::NotFound)?;
         self.start_companion();
         Ok(())

@@ -27,7 +27,7 @@ impl Simulation {
         if !self.depart(end)? {
             return Ok(());
         }
-        let outcome = self.runner.advance(end).map_err(|error| failure(&error)).and_then(|()| self.measure());
+        let outcome = self.go_to(end).and_then(|()| self.measure());
         self.arrive(outcome, end, f64::INFINITY)
     }
 

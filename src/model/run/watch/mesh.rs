@@ -94,6 +94,16 @@ impl MeshWatch {
         Self { is_static: analysis == Analysis::Static, ..Self::default() }
     }
 
+    /// Warns of no mesh that is too coarse: a comparison judges it.
+    pub fn trust(&mut self) {
+        (self.energy_warned, self.reading_warned) = (true, true);
+    }
+
+    /// Whether a mesh that is too coarse was warned of.
+    pub fn has_warned(&self) -> bool {
+        self.energy_warned || self.reading_warned
+    }
+
     /// Looks at a new state and returns what the user should know of its mesh by now.
     pub fn look(&mut self, system: &System, state: &State, frames: &mut FrameCache) -> Vec<String> {
         let point = self.points;

@@ -1,0 +1,185 @@
+//! One run of a model, and its repetition with finer steps and meshes until the accuracy is reached.
+//!
+//! The rows of a repetition go to a file of their own, which takes the place of the rows before it when the repetition
+//! has come to its end: whatever ends the program, the folder has the whole rows of the last run that was complete.
+
+use super::folder::Folder;
+use super::inputs::Inputs;
+use super::keeper::{Keeper, Signal, interrupted, kept};
+use super::output::trouble;
+use super::progress::{Plan, bar};
+use super::rows::{Rows, Shared, locked};
+use super::{Stop, complain, failed, stages, start};
+use ancf14::fmi::Model;
+use ancf14::model::refinement::Refinement;
+use ancf14::model::rows;
+use ancf14::model::simulation::{Beginning, Simulation};
+use ancf14_report::results::Results;
+use ancf14_view::Film;
+use std::fs;
+use std::io;
+
+/// The rows of a repetition while it goes on.
+pub const NEXT: &str = "results.next.csv";
+
+/// A run with what it leaves.
+pub struct Attempt {
+    pub simulation: Simulation,
+    pub results: Results,
+    pub rows: Shared,
+    /// A page that shows the mechanism move.
+    pub film: Option<Film>,
+    /// Warnings that are not told yet: a repetition may do without them.
+    pub held: Vec<String>,
+}
+
+/// The inputs and rows that all runs of a model have in common.
+#[derive(Clone, Copy)]
+pub struct Script<'a> {
+    /// A table of inputs; none: the start values of the file.
+    pub inputs: Option<&'a Inputs>,
+    /// The state of another run that they begin with.
+    pub from: Option<&'a Beginning>,
+    /// Their rows.
+    pub plan: Plan,
+}
+
+/// The reason why a run ends early.
+pub enum End {
+    Model(Stop),
+    Write(io::Error),
+    Signal(Signal),
+}
+
+impl Attempt {
+    /// Simulates. With a `refinement` the warnings of the run are held; those about its start are told, unless it
+    /// `repeats` a run that has told them.
+    pub fn run(
+        &mut self,
+        Script { inputs, from, plan: Plan { begin, rows: [first, last], count } }: Script<'_>,
+        mut refinement: Option<&mut Refinement>,
+        keeper: &Keeper,
+        repeats: bool,
+    ) -> Result<(), End> {
+        let Self { simulation, results, rows, film, held } = self;
+        let holds = refinement.is_some();
+        let bar = bar(count);
+        let mut record = |row: u64, time: f64, simulation: &Simulation| {
+            if let Some(refinement) = &mut refinement {
+                refinement.look(simulation);
+            }
+            locked(rows).push(time, &results.record(time, simulation)).map_err(End::Write)?;
+            film.iter_mut().for_each(|film| film.look(row, simulation));
+            Ok(())
+        };
+        // The bar appears with the first row.
+        if let Some(inputs) = inputs {
+            inputs.start(simulation, begin).map_err(|failure| End::Model(failed(simulation, &failure)))?;
+        }
+        match from {
+            Some(beginning) => stages::start(simulation, beginning).map_err(End::Model)?,
+            None if repeats => {
+                simulation.initialize(begin).map_err(|failure| End::Model(failed(simulation, &failure)))?;
+                simulation.take_warnings();
+            }
+            None => start(simulation).map_err(End::Model)?,
+        }
+        record(0, begin, simulation)?;
+        let outcome = (first..=last).try_for_each(|row| {
+            keeper.signal().map_or(Ok(()), |signal| Err(End::Signal(signal)))?;
+            let time = rows::time(simulation.about(), row, last);
+            let advanced = match inputs {
+                Some(inputs) => inputs.advance(simulation, time),
+                None => simulation.advance(time),
+            };
+            for warning in simulation.take_warnings() {
+                if holds {
+                    held.push(warning);
+                } else {
+                    bar.suspend(|| complain(&format!("warning: {warning}")));
+                }
+            }
+            advanced.map_err(|failure| End::Model(failed(simulation, &failure)))?;
+            record(row - first + 1, time, simulation)?;
+            bar.set_message(format!("t = {time:.4} s"));
+            bar.inc(1);
+            Ok(())
+        });
+        bar.finish_and_clear();
+        outcome
+    }
+
+    /// Concludes a run that has come to its end; this may wait for its comparison run. The warnings are held.
+    pub fn conclude(&mut self) {
+        self.simulation.conclude();
+        self.held.append(&mut self.simulation.take_warnings());
+    }
+
+    /// Tells the warnings that are held.
+    pub fn tell(&mut self) {
+        self.held.drain(..).for_each(|warning| complain(&format!("warning: {warning}")));
+    }
+
+    /// Repeats a run that has come to its end until `refinement` is content; the last complete run is here then. The
+    /// rows of a run that goes on are in `folder`.
+    ///
+    /// # Errors
+    /// A signal came, or rows cannot be written; the last complete run is here all the same.
+    pub fn repeat(
+        &mut self,
+        script: Script<'_>,
+        refinement: &mut Refinement,
+        folder: &Folder,
+        keeper: &Keeper,
+    ) -> Result<(), End> {
+        self.conclude();
+        while let Some(simulation) = refinement.judge(&self.simulation) {
+            let mut results = Results::new(simulation.variables(), script.plan.count);
+            if self.results.is_kept() {
+                results.keep();
+            }
+            let film = self.film.as_ref().map(|_| Film::new(&simulation, script.plan.count));
+            let rows = Rows::shared(folder.file(NEXT));
+            let mut next = Self { simulation: *simulation, results, rows, film, held: Vec::new() };
+            locked(&self.rows).finish().map_err(End::Write)?;
+            let outcome = next.run(script, Some(refinement), keeper, true);
+            let finished = locked(&next.rows).finish();
+            match outcome {
+                Ok(()) => {
+                    finished.map_err(End::Write)?;
+                    next.conclude();
+                    let own = locked(&self.rows).path.clone();
+                    fs::rename(folder.file(NEXT), &own).map_err(End::Write)?;
+                    locked(&next.rows).path = own;
+                    *self = next;
+                }
+                Err(End::Model(stop)) => {
+                    // It may have no row.
+                    let _ = fs::remove_file(folder.file(NEXT));
+                    refinement.fail(stop.reason());
+                }
+                Err(end) => {
+                    let _ = fs::remove_file(folder.file(NEXT));
+                    return Err(end);
+                }
+            }
+        }
+        self.held.extend(refinement.outcome(&self.simulation).warning());
+        Ok(())
+    }
+}
+
+impl End {
+    /// The message, with the place of the rows so far.
+    pub fn stop(self, rows: &Rows) -> Stop {
+        let kept = rows.reached.map_or(String::new(), |reached| format!("\n{}", kept(reached, rows)));
+        match self {
+            Self::Model(Stop::Failed(message)) => Stop::Failed(format!("{message}{kept}")),
+            Self::Model(stop) => stop,
+            Self::Write(reason) => trouble(&rows.path, &reason),
+            Self::Signal(signal) => {
+                Stop::Interrupted(format!("error: {}{kept}", interrupted(signal)), signal.exit_code())
+            }
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Does `run` repeat itself until it is accurate, and does the folder have the rows of one whole run at every moment? A
+//! program that is killed in a repetition must leave those of the run before.
+
+use super::command_line::{ancf14, text};
+use std::fs;
+use std::path::Path;
+
+/// A mass on a spring, coarse enough that its first run is not accurate.
+const MOUNT: &str = "format = 1\n[model]\nname = \"Mount\"\ngravity = [0, 0, -9.81]\n\
+    [body.mass]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n\
+    [joint.mount]\ntype = \"bushing\"\na = \"ground\"\nb = \"mass\"\nstiffness = [1e2, 1e2, 1e2]\n\
+    rotational_stiffness = [1e2, 1e2, 1e2]\n\
+    [output.motion]\nat = \"mass\"\nquantities = [\"position\"]\n\
+    [simulation]\nstop = 5\noutput_step = 0.25\naccuracy = 0.03\n";
+
+fn run(directory: &Path, more: &[&str]) -> (String, String) {
+    fs::write(directory.join("mount.toml"), MOUNT).unwrap();
+    let ran = ancf14(directory, &[&["run", "mount.toml", "-o", "out"], more].concat());
+    assert!(ran.status.success(), "{}", text(&ran.stderr));
+    (text(&ran.stdout).to_owned(), text(&ran.stderr).to_owned())
+}
+
+/// The largest error of the rows, m: `z = -g/ω² (1 - cos ωt)` with `ω = 10 rad/s`.
+fn error(directory: &Path) -> f64 {
+    let table = fs::read_to_string(directory.join("out/results.csv")).unwrap();
+    let error = |row: &str| {
+        let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        (cells[3] + 0.0981 * (1.0 - (10.0 * cells[0]).cos())).abs()
+    };
+    table.lines().skip(1).map(error).fold(0.0, f64::max)
+}
+
+/// The results are those of the last run, right to 0.5 % of 0.196 m, and without a warning; a run that
+/// is not asked for it warns of those of the first one.
+#[test]
+fn runs_are_repeated_until_they_are_accurate() {
+    let directory = tempfile::tempdir().unwrap();
+    let (once, warned) = run(directory.path(), &[]);
+    let first = error(directory.path());
+    assert!(!once.contains("runs, ") && warned.contains("because of the length of the steps"), "{once}{warned}");
+    let (told, warned) = run(directory.path(), &["--refine"]);
+    let last = error(directory.path());
+    println!("{first:e} m, {last:e} m");
+    assert!(told.contains(" runs, accuracy of the steps reached: 0.") && warned.is_empty(), "{told}{warned}");
+    assert!(first > 2e-3 && last < 0.005 * 0.196, "{first} {last}");
+    for file in ["results.next.csv", "results.part.csv"] {
+        assert!(!directory.path().join("out").join(file).exists(), "{file}");
+    }
+}
+
+/// A budget that no repetition fits leaves the first run with its own warnings; the page and the summary have them.
+#[test]
+fn a_budget_is_kept() {
+    let directory = tempfile::tempdir().unwrap();
+    let (told, warned) = run(directory.path(), &["--refine", "--budget=1"]);
+    assert!(told.contains("1 run, ") && warned.contains("because of the length of the steps"), "{told}{warned}");
+    let summary = fs::read_to_string(directory.path().join("out/summary.json")).unwrap();
+    assert!(summary.contains("because of the length of the steps"), "{summary}");
+    let refused = ancf14(directory.path(), &["run", "mount.toml", "--budget=0"]);
+    assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains("like 20"), "{}", text(&refused.stderr));
+}
+
+/// A beam without `elements` asks for it: its run is repeated without an option, and `--no-refine` runs once.
+#[test]
+fn free_meshes_are_refined() {
+    let directory = tempfile::tempdir().unwrap();
+    let made = ancf14(directory.path(), &["new", "free"]);
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    let run = |more: &[&str]| {
+        let ran = ancf14(directory.path(), &[&["run", "free.toml", "--set", "simulation.stop=0.2"], more].concat());
+        assert!(ran.status.success(), "{}", text(&ran.stderr));
+        text(&ran.stdout)
+    };
+    let told = run(&[]);
+    assert!(told.contains(" elements, accuracy reached: 0."), "{told}");
+    assert!(!run(&["--no-refine"]).contains("accuracy reached"));
+}
+
+/// The next run clears the rows that a killed repetition has left.
+#[test]
+fn rows_of_a_killed_repetition_are_cleared() {
+    let directory = tempfile::tempdir().unwrap();
+    run(directory.path(), &["--refine"]);
+    let next = directory.path().join("out/results.next.csv");
+    fs::write(&next, "time\n0\n").unwrap();
+    run(directory.path(), &[]);
+    assert!(!next.exists());
+}

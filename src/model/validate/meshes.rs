@@ -1,0 +1,53 @@
+//! The elements of beams whose file leaves their number to the program: so many that most models are right with them,
+//! and nodes where joints need them. A run makes them finer where they are too few.
+
+use super::super::file::document::Document;
+use super::super::file::entries::beam::{BeamSpec, FEWEST_ELEMENTS};
+use super::super::file::reader::anchor::{Along, Spot};
+use super::super::shape::{fits, lines};
+
+/// Angle that an element turns by as drawn, rad, at most: a ring of 16 elements is right to 1 %.
+const LARGEST_ANGLE: f64 = 25.0 * std::f64::consts::PI / 180.0;
+/// A count is sought up to so many times the one that the shape asks for.
+const MOST_TIMES: usize = 8;
+
+/// Chooses the elements of all beams that the file gives none.
+pub(super) fn choose(document: &mut Document) {
+    for place in 0..document.beams.len() {
+        let beam = &document.beams[place];
+        if beam.is_meshed_by_program
+            && let Some(count) = count(document, place, beam)
+        {
+            document.choose_elements(place, count);
+        }
+    }
+}
+
+/// The elements of a beam; none: its line is wrong, which is reported elsewhere.
+fn count(document: &Document, place: usize, beam: &BeamSpec) -> Option<usize> {
+    let fewest = FEWEST_ELEMENTS as usize;
+    let drawn = |count: usize| lines::line(document, beam, count).ok().flatten();
+    let line = (0..MOST_TIMES).find_map(|times| drawn(fewest << times))?;
+    let turn = |pair: [usize; 2]| line.nodes[pair[0]].tangent.angle(&line.nodes[pair[1]].tangent);
+    let turned: f64 = line.spans.iter().map(|span| turn([span.node, span.node + 1])).sum();
+    let pretwist = document.value(beam.pretwist).abs();
+    let angle = if pretwist.is_finite() { turned.max(pretwist) } else { turned };
+    // The round-off of a full turn makes no further element.
+    let least = fewest.max((angle / LARGEST_ANGLE - 1e-9).ceil() as usize);
+    let held: Vec<f64> = held_places(document, place);
+    let is_right = |count: &usize| match held.is_empty() {
+        true => drawn(*count).is_some(),
+        false => held.iter().all(|fraction| fits(document, beam, *count, *fraction)),
+    };
+    Some((least..=MOST_TIMES * least).find(is_right).unwrap_or(least))
+}
+
+/// Fractions of a beam at which joints hold on to nodes.
+fn held_places(document: &Document, place: usize) -> Vec<f64> {
+    let joints = document.joints.iter().flat_map(|joint| [joint.a, joint.b]);
+    let fractions = joints.filter_map(|anchor| match anchor.spot {
+        Spot::Beam { beam, along: Along::Fraction(fraction) } if beam == place => Some(document.value(fraction)),
+        _ => None,
+    });
+    fractions.filter(|fraction| (0.0..=1.0).contains(fraction)).collect()
+}

@@ -1,0 +1,211 @@
+//! A run that reaches its accuracy by itself: it repeats itself with finer steps and meshes where the model file leaves
+//! them to the program, and judges by the difference of two runs. Its claims must be true where the truth is known;
+//! given numbers must stay; the same file must give the same runs. A wrong code would claim the agreement of two runs
+//! that are both wrong, as where only one of steps and mesh became finer, or would never end.
+
+use crate::running::{try_start, value};
+use ancf14::fmi::Model;
+use ancf14::model::refinement::{BUDGET, End, Outcome, Refinement};
+use ancf14::model::rows;
+use ancf14::model::simulation::Simulation;
+
+/// 1 kg that its weight falls on a mount of 100 N/m: `z = -g/ω² (1 - cos ωt)` with `ω = 10 rad/s`.
+fn mount(accuracy: f64) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Mount\"\ngravity = [0, 0, -9.81]\n\
+         [body.mass]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n\
+         [joint.mount]\ntype = \"bushing\"\na = \"ground\"\nb = \"mass\"\nstiffness = [1e2, 1e2, 1e2]\n\
+         rotational_stiffness = [1e2, 1e2, 1e2]\n\
+         [output.motion]\nat = \"mass\"\nquantities = [\"position\", \"velocity\"]\n\
+         [simulation]\nstop = 5\noutput_step = 0.25\naccuracy = {accuracy}\n"
+    )
+}
+
+/// The largest error of the position and of the velocity of the mount, as shares of their ranges.
+fn errors(rows: &[Row]) -> [f64; 2] {
+    let largest = |error: &dyn Fn(&Row) -> f64| rows.iter().map(error).fold(0.0, f64::max);
+    let position = largest(&|row| (row.values[0] + 0.0981 * (1.0 - (10.0 * row.time).cos())).abs());
+    let velocity = largest(&|row| (row.values[1] + 0.981 * (10.0 * row.time).sin()).abs());
+    [position / 0.1962, velocity / 1.962]
+}
+
+/// A row of a run: its time, s, and the results that are asked for.
+#[derive(Clone, Debug, PartialEq)]
+struct Row {
+    time: f64,
+    values: Vec<f64>,
+}
+
+/// Runs to the end, and shows the rows to `look`.
+fn run(simulation: &mut Simulation, names: &[&str], mut look: impl FnMut(&Simulation)) -> Vec<Row> {
+    let about = simulation.about().clone();
+    let last = rows::last(&about).unwrap();
+    let all = (0..=last).map(|number| {
+        let time = rows::time(&about, number, last);
+        let outcome = if number == 0 { simulation.initialize(time) } else { simulation.advance(time) };
+        outcome.unwrap_or_else(|failure| panic!("{}", failure.message));
+        look(simulation);
+        Row { time, values: names.iter().map(|name| value(simulation, name)).collect() }
+    });
+    let all = all.collect();
+    simulation.conclude();
+    all
+}
+
+fn load(text: &str) -> Simulation {
+    let mut simulation = Simulation::load("m.toml", text, &[]).unwrap_or_else(|failure| panic!("{}", failure.message));
+    simulation.ask_for_mesh_error(|companion| Box::new(companion));
+    simulation
+}
+
+/// Runs until it is accurate; returns the rows of the last run, what is known of it, and the simulation.
+fn repeated(text: &str, names: &[&str], budget: f64) -> (Vec<Row>, Outcome, Box<Simulation>) {
+    let mut simulation = Box::new(load(text));
+    let mut refinement = Refinement::of(&mut simulation, budget).expect("the file leaves something to the program");
+    let mut rows = run(&mut simulation, names, |simulation| refinement.look(simulation));
+    while let Some(next) = refinement.judge(&simulation) {
+        simulation = next;
+        rows = run(&mut simulation, names, |simulation| refinement.look(simulation));
+    }
+    (rows, refinement.outcome(&simulation), simulation)
+}
+
+const MOUNT: [&str; 2] = ["motion.position[3]", "motion.velocity[3]"];
+
+/// The time-step error falls with the square of divided steps, from run to run. Steps that follow from an accuracy have
+/// other places in every run, and no such order. The bound of the ratio is what errors of fourth order add.
+#[test]
+fn divided_steps_have_their_order() {
+    let mut first = load(&mount(1e-2));
+    first.note_steps();
+    let coarse = errors(&run(&mut first, &MOUNT, |_| ()));
+    for (parts, ratio) in [(2, 4.0), (4, 16.0)] {
+        let mut finer = first.repeated(Vec::new(), Some(parts)).unwrap_or_else(|failure| panic!("{}", failure.message));
+        let fine = errors(&run(&mut finer, &MOUNT, |_| ()));
+        let steps = [&first, &finer].map(|own| value(own, "statistics.steps"));
+        assert_eq!(steps[1], f64::from(parts) * steps[0]);
+        for (coarse, fine) in coarse.iter().zip(fine) {
+            println!("steps / {parts}: {coarse:.2e} to {fine:.2e}");
+            assert!((coarse / fine / ratio - 1.0).abs() < 0.05, "{coarse} {fine}");
+        }
+    }
+}
+
+/// The claim is true, and as large as the error to a factor of three: orders are assumed between 1 and 2.
+#[test]
+fn what_a_run_claims_is_true() {
+    let (rows, outcome, _) = repeated(&mount(3e-2), &MOUNT, BUDGET);
+    let (claimed, [position, velocity]) = (outcome.worst.clone().unwrap().error, errors(&rows));
+    println!("{}: claimed {claimed:.2e}, off by {position:.2e} and {velocity:.2e}", outcome.line());
+    assert!(outcome.end == End::Reached && outcome.runs > 1 && outcome.warning().is_none(), "{outcome:?}");
+    let truth = position.max(velocity);
+    assert!(truth < 0.005 && claimed < 0.005 && (0.9..3.5).contains(&(claimed / truth)), "{claimed} {truth}");
+    assert!(outcome.line().contains("runs, accuracy of the steps reached: 0."), "{}", outcome.line());
+}
+
+/// Costs are steps and elements, not seconds: the same file gives the same rows.
+#[test]
+fn the_same_file_gives_the_same_runs() {
+    let run = || repeated(&mount(3e-2), &MOUNT, BUDGET);
+    let (one, other) = (run(), run());
+    assert!(one.0 == other.0 && one.1 == other.1);
+}
+
+/// With a budget of the first run there is no other one: its own estimates warn.
+#[test]
+fn a_budget_ends_the_runs() {
+    let (_, outcome, mut simulation) = repeated(&mount(3e-2), &MOUNT, 1.0);
+    assert!(outcome.runs == 1 && outcome.end == End::Budget && outcome.warning().is_none(), "{outcome:?}");
+    assert!(simulation.take_warnings().iter().any(|warning| warning.contains("because of the length of the steps")));
+    let (_, outcome, mut simulation) = repeated(&mount(1e-1), &MOUNT, 4.0);
+    let warning = outcome.warning().unwrap_or_default();
+    assert!(outcome.runs == 2 && warning.contains("Give a larger --budget"), "{outcome:?}");
+    assert_eq!(simulation.take_warnings(), Vec::<String>::new());
+}
+
+/// A file with a step and elements leaves nothing to the program.
+#[test]
+fn given_numbers_are_kept() {
+    for name in ["pendulum", "robot", "ring"] {
+        let text = std::fs::read_to_string(format!("models/{name}.toml")).unwrap();
+        assert!(Refinement::of(&mut load(&text), BUDGET).is_none(), "{name}");
+    }
+}
+
+/// A steel rod of 1 m along `line`, with one more section.
+fn rod(line: &str, more: &str) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Rod\"\n[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n\
+         [section.rod]\nshape = \"circle\"\nradius = 0.01\n[beam.arm]\nmaterial = \"steel\"\nsection = \"rod\"\n{line}\n\
+         [joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"arm.start\"\n{more}\n[simulation]\nstop = 1\n"
+    )
+}
+
+/// A beam without `elements` has 8, one for each 25 degrees of its curve or its pretwist, and nodes where joints are;
+/// its twist is quadratic. A number that is written keeps linear twist.
+#[test]
+fn meshes_follow_the_shape() {
+    let straight = "from = [0, 0, 0]\nto = [1, 0, 0]";
+    let ring = "curve = { x = \"cos(s)\", y = \"sin(s)\", z = \"0.1*s\", s = [0, \"2*pi\"] }\ny_axis = [0, 0, 1]";
+    let corner = "curve = { points = [[0, 0, 0], [1, 0, 0], [1, 1, 0]], polyline = true }\ny_axis = [0, 0, 1]";
+    let pin = "[body.mass]\nmass = 1\nposition = [0.3, 0, 0]\ninertia = [1, 1, 1]\n\
+               [joint.pin]\ntype = \"spherical\"\na = \"mass\"\nb = \"arm@0.3\"";
+    for (line, more, elements) in [
+        (straight, "", 8.0),
+        (ring, "", 15.0),
+        (corner, "", 8.0),
+        (&*format!("{straight}\npretwist = 6"), "", 14.0),
+        (straight, pin, 10.0),
+    ] {
+        let simulation = try_start(&rod(line, more)).unwrap_or_else(|message| panic!("{message}"));
+        assert_eq!(value(&simulation, "arm.elements"), elements, "{line}");
+    }
+    let quadratic = |line: &str| {
+        let simulation = try_start(&rod(line, "")).unwrap_or_else(|message| panic!("{message}"));
+        format!("{:?}", simulation.document().beams[0].formulation).contains("Quadratic")
+    };
+    assert!(quadratic(straight) && !quadratic(&format!("{straight}\nelements = 8")));
+}
+
+/// A strip is rolled up by its end moment: the section moment at the end is the load itself. Equilibria
+/// settle again on meshes that are divided in two; a run of its own could take another branch.
+#[test]
+fn equilibria_settle_on_finer_meshes() {
+    let text = std::fs::read_to_string("models/roll_up.toml").unwrap();
+    let free = text.replace("elements = 16\n", "");
+    assert_ne!(text, free);
+    let moment = "tip.section_moment[3]";
+    let (rows, outcome, simulation) = repeated(&free, &[moment], BUDGET);
+    let Row { time, values } = rows.last().unwrap();
+    // M = 2π EI/L rolls it up to a full circle at t = 1.
+    let (truth, found) = (value(&simulation, "moment") * time, values[0]);
+    let (first, elements) = (value(&load(&free), "strip.elements"), value(&simulation, "strip.elements"));
+    println!("{}: {found} of {truth} N m", outcome.line());
+    assert!(outcome.end == End::Reached && outcome.runs > 1 && elements == first * f64::from(1 << (outcome.runs - 1)));
+    assert!((found / truth - 1.0).abs() < 0.01, "{found} {truth}");
+}
+
+/// Steps and mesh become finer together, and both errors are right to what is promised: the tip of a rod that a force
+/// bends within 10 ms, first with coarse steps, against a run with a quarter of the steps and four times the elements.
+#[test]
+fn steps_and_meshes_become_finer_together() {
+    let line = "from = [0, 0, 0]\nto = [1, 0, 0]";
+    let more = "[load.push]\nat = \"arm.end\"\nforce = [0, 0, \"200*smoothstep(0, 0.01, t)\"]\n\
+                [output.tip]\nat = \"arm.end\"\nquantities = [\"displacement\", \"velocity\"]";
+    let text = rod(line, more).replace("stop = 1\n", "stop = 0.1\noutput_step = 5e-3\naccuracy = 3e-2\n");
+    let names = ["tip.displacement[3]", "tip.velocity[3]"];
+    let (rows, outcome, simulation) = repeated(&text, &names, 100.0);
+    let [steps, elements] = ["statistics.steps", "arm.elements"].map(|name| value(&simulation, name));
+    let finer = text
+        .replace("accuracy = 3e-2\n", &format!("step = {:e}\n", 0.1 / (4.0 * steps)))
+        .replace(line, &format!("{line}\nelements = {}\ntwist = \"quadratic\"", 4.0 * elements));
+    let reference = run(&mut load(&finer), &names, |_| ());
+    let (name, claimed) = outcome.worst.clone().map(|worst| (worst.name, worst.error)).unwrap();
+    for place in 0..2 {
+        let scale = reference.iter().map(|row| row.values[place].abs()).fold(0.0, f64::max);
+        let off = rows.iter().zip(&reference).map(|(own, truth)| (own.values[place] - truth.values[place]).abs());
+        let off = off.fold(0.0, f64::max) / scale;
+        println!("{}: {name} {claimed:.2e}, {} off by {off:.2e}", outcome.line(), names[place]);
+        assert!(outcome.end == End::Reached && outcome.runs > 1 && elements > 8.0 && off < 0.01, "{off}");
+    }
+}
