@@ -159,9 +159,9 @@ impl Simulation {
 
     /// Runs to the row `last`, or to the end, and takes the simulation away. The inputs called `names` have the values
     /// `inputs` from row to row: all of the first row, then all of the second one. With `film` there is a page that
-    /// shows the mechanism move. The run is repeated with finer steps and meshes until it is accurate, if it is to `refine`;
-    /// none: if the file leaves the elements of a beam to the program.
-    #[pyo3(signature = (names, inputs, film=false, last=None, refine=Some(false), budget=20.0))]
+    /// shows the mechanism move. `refinement` says whether the run is repeated with finer steps and meshes until it is
+    /// accurate (none: if the file leaves the elements of a beam to the program), and what that may cost.
+    #[pyo3(signature = (names, inputs, film=false, last=None, refinement=(Some(false), 20.0)))]
     fn run(
         &mut self,
         py: Python<'_>,
@@ -169,11 +169,10 @@ impl Simulation {
         inputs: Vec<f64>,
         film: bool,
         last: Option<u64>,
-        refine: Option<bool>,
-        budget: f64,
+        refinement: (Option<bool>, f64),
     ) -> PyResult<Outcome> {
         let simulation = self.simulation.take().ok_or_else(taken)?;
-        run::run(py, (simulation, &self.halt), &names, inputs, (film, last), (refine, budget))
+        run::run(py, (simulation, &self.halt), &names, inputs, (film, last), refinement)
     }
 }
 

@@ -210,7 +210,7 @@ class Model:
         rerun = (self._source, list(dict([*self._overrides, *changes]).items()), names, values)
         with raising():
             variables = simulation.variables()
-            found, table, warnings, error, _ = simulation.run(names, values, refine=refine, budget=budget)
+            found, table, warnings, error, _ = simulation.run(names, values, refinement=(refine, budget))
         results = Results._of(self.name, variables, found, table, rerun)
         # Those about the file were issued when it was loaded.
         told += [warning for warning in warnings if warning not in self._notes]

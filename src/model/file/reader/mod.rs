@@ -289,13 +289,10 @@ impl<'c, 'a> Reader<'c, 'a> {
 
     /// A number that must be there.
     pub fn number(&mut self, rule: &Rule) -> Number {
-        match self.optional(rule) {
-            Some(number) => number,
-            None => {
-                self.missing(rule.key, &format!("{}{}", rule.meaning, unit_words(rule)));
-                self.default(rule, None, Written::Broken)
-            }
-        }
+        self.optional(rule).unwrap_or_else(|| {
+            self.missing(rule.key, &format!("{}{}", rule.meaning, unit_words(rule)));
+            self.default(rule, None, Written::Broken)
+        })
     }
 
     /// A number, or its default.
