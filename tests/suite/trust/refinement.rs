@@ -201,11 +201,11 @@ fn steps_and_meshes_become_finer_together() {
         .replace(line, &format!("{line}\nelements = {}\ntwist = \"quadratic\"", 4.0 * elements));
     let reference = run(&mut load(&finer), &names, |_| ());
     let (name, claimed) = outcome.worst.clone().map(|worst| (worst.name, worst.error)).unwrap();
-    for place in 0..2 {
+    for (place, result) in names.iter().enumerate() {
         let scale = reference.iter().map(|row| row.values[place].abs()).fold(0.0, f64::max);
         let off = rows.iter().zip(&reference).map(|(own, truth)| (own.values[place] - truth.values[place]).abs());
         let off = off.fold(0.0, f64::max) / scale;
-        println!("{}: {name} {claimed:.2e}, {} off by {off:.2e}", outcome.line(), names[place]);
+        println!("{}: {name} {claimed:.2e}, {result} off by {off:.2e}", outcome.line());
         assert!(outcome.end == End::Reached && outcome.runs > 1 && elements > 8.0 && off < 0.01, "{off}");
     }
 }
