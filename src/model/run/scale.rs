@@ -54,7 +54,7 @@ pub struct Beams {
 
 impl Measures {
     /// What the errors of quantities are compared with, each given with its name, its unit and how it ranges: its own
-    /// range, but at least a tenth of the largest one of its kind; 0: it is zero.
+    /// range, but at least a tenth of the largest one of its kind, except for lengths, angles and their rates; 0: zero.
     pub fn scales(&self, quantities: &[(&str, &str, Span)]) -> Vec<f64> {
         let mut largest: BTreeMap<&str, f64> = BTreeMap::new();
         for (name, unit, span) in quantities {
@@ -69,7 +69,12 @@ impl Measures {
         let scale = |(name, unit, span): &(&str, &str, Span)| {
             let largest = largest.get(kind(name, unit)).copied().unwrap_or(0.0);
             let own = self.scale(unit, *span);
-            if own > ROUND_OFF * largest { own.max(SMALL * largest) } else { 0.0 }
+            match unit.starts_with('m') || unit.starts_with("rad") {
+                // A tilt is not measured by the turns of a shaft, nor a bearing by the way of a crane.
+                true => own,
+                false if own > ROUND_OFF * largest => own.max(SMALL * largest),
+                false => 0.0,
+            }
         };
         quantities.iter().map(scale).collect()
     }
