@@ -96,12 +96,12 @@ impl MeshWatch {
 
     /// Warns of no mesh that is too coarse: a comparison judges it.
     pub fn trust(&mut self) {
-        (self.energy_warned, self.reading_warned) = (true, true);
+        self.energy_warned = true;
     }
 
     /// Whether a mesh that is too coarse was warned of.
     pub fn has_warned(&self) -> bool {
-        self.energy_warned || self.reading_warned
+        self.energy_warned
     }
 
     /// Looks at a new state and returns what the user should know of its mesh by now.
