@@ -18,8 +18,8 @@ const SAME_LENGTH: f64 = 1e-9;
 
 impl System {
     /// Sets `state`, one of this system as drawn, to the shape of `from`, a state of `coarse`: the same mechanism with
-    /// half the elements in every beam, or as many. Returns false for elements other than ANCF14, for beams whose finer mesh moves
-    /// the nodes, and where positions count from another origin.
+    /// half the elements in every beam, or as many. Returns false for elements other than ANCF14, for beams whose finer
+    /// mesh moves the nodes, and where positions count from another origin.
     pub fn take_shape(&self, state: &mut State, coarse: &Self, from: &State) -> bool {
         let (own, other) = (self.mesh.coordinates(), coarse.mesh.coordinates());
         let fits = self.origin == coarse.origin

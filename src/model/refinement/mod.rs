@@ -18,7 +18,8 @@ use crate::fmi::Model;
 use crate::model::file::document::Document;
 use crate::model::file::entries::simulation::{Analysis, Follow};
 
-/// The cost of all runs after the first one at most, over that of the first one, unless another budget is asked for: two repetitions with twice the steps and up to twice the elements.
+/// The cost of all runs after the first one at most, over that of the first one, unless another budget is asked for:
+/// two repetitions with twice the steps and up to twice the elements.
 pub const BUDGET: f64 = 20.0;
 /// Most parts of a step in the next run: estimates are not trusted further.
 const MOST_PARTS: u32 = 4;
@@ -115,8 +116,8 @@ pub fn leaves_mesh(document: &Document) -> bool {
 
 impl Refinement {
     /// Prepares `simulation`, which is not initialized yet, to be repeated; none where the file gives everything, or
-    /// where its results are too many to be kept. `budget` is what the further runs may cost, over the cost of the first
-    /// one.
+    /// where its results are too many to be kept. `budget` is what the further runs may cost, over the cost of the
+    /// first one.
     pub fn of(simulation: &mut Simulation, budget: f64) -> Option<Self> {
         let document = simulation.document();
         let is_motion = document.simulation.analysis == Analysis::Dynamic;
@@ -271,9 +272,9 @@ impl Refinement {
         if gains[0] == 1.0 || gains[1] == 1.0 {
             return gains.map(|gain| if gain > 1.0 { 1.0 } else { 0.0 });
         }
-        let part = |place: usize| {
-            let own = self.estimates[place].iter().find(|own| own.name == name)?;
-            Some(own.error.min(1.0) * (1.0 - 1.0 / gains[place]))
+        let part = |number: usize| {
+            let own = self.estimates[number].iter().find(|own| own.name == name)?;
+            Some(own.error.min(1.0) * (1.0 - 1.0 / gains[number]))
         };
         let of_steps = match (part(0), part(1)) {
             (Some(steps), Some(mesh)) if steps + mesh > 0.0 => (steps / (steps + mesh)).clamp(0.1, 0.9),

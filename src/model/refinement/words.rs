@@ -27,25 +27,27 @@ impl Outcome {
     pub fn warning(&self) -> Option<String> {
         let worst = self.worst.as_ref()?;
         let (name, size, runs) = (&worst.name, worst.size(), self.runs);
+        let off = format!("{name} is off by {size} of its range after {runs} runs");
         match &self.end {
             End::Reached => None,
             // A single run has warned by its own estimates.
             End::Budget | End::Failed(_) if runs == 1 => None,
             End::Budget => Some(format!(
-                "{name} is off by {size} of its range after {runs} runs, as their differences tell: the next run would exceed the budget of {} times the cost of the first one. Give a \
-                 larger --budget",
+                "{off}, as their differences tell: the next run would exceed the budget of {} times the cost of the \
+                 first one. Give a larger --budget",
                 self.budget
             )),
             End::Failed(reason) => Some(format!(
-                "{name} is off by {size} of its range after {runs} runs, as their differences tell: the next run, with finer steps or meshes, failed ({reason})"
+                "{off}, as their differences tell: the next run, with finer steps or meshes, failed ({reason})"
             )),
             End::Sensitive if !self.is_motion => Some(format!(
-                "{name} is off by {size} of its range after {runs} runs, and finer meshes bring the runs no nearer to each other: the equilibrium may be next to a limit point, or the result \
-                 may have no limit, as a strain at the point of a load. Read it further from joints and loads, or end the load earlier"
+                "{off}, and finer meshes bring the runs no nearer to each other: the equilibrium may be next to a \
+                 limit point, or the result may have no limit, as a strain at the point of a load. Read it further \
+                 from joints and loads, or end the load earlier"
             )),
             End::Sensitive => Some(format!(
-                "{name} is off by {size} of its range after {runs} runs, and finer steps bring the runs no nearer to each other: small differences grow in this motion, so that no steps give \
-                 the same rows to the end. Judge a shorter time, or means over many runs"
+                "{off}, and finer steps bring the runs no nearer to each other: small differences grow in this \
+                 motion, so that no steps give the same rows to the end. Judge a shorter time, or means over many runs"
             )),
         }
     }

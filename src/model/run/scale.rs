@@ -2,8 +2,8 @@
 //!
 //! A component that is zero by symmetry has the round-off of the others for its range, so that all components of a
 //! quantity have one scale, the largest range among them, and at least a tenth of the largest quantity of its kind: an
-//! axial force of 12 N where a clamp bears 600 N is not judged to a percent of itself. A quantity that is zero as a whole
-//! is found by what its unit amounts to in this system.
+//! axial force of 12 N where a clamp bears 600 N is not judged to a percent of itself. A quantity that is zero as a
+//! whole is found by what its unit amounts to in this system.
 //!
 //! Beams that follow their heat or their prestress hold nothing, but for what a mesh makes of it: their forces and
 //! energies are compared with those that the same deformation would hold without heat or prestress.

@@ -13,18 +13,18 @@ const MOST_TIMES: usize = 8;
 
 /// Chooses the elements of all beams that the file gives none.
 pub(super) fn choose(document: &mut Document) {
-    for place in 0..document.beams.len() {
-        let beam = &document.beams[place];
+    for number in 0..document.beams.len() {
+        let beam = &document.beams[number];
         if beam.is_meshed_by_program
-            && let Some(count) = count(document, place, beam)
+            && let Some(count) = count(document, number, beam)
         {
-            document.choose_elements(place, count);
+            document.choose_elements(number, count);
         }
     }
 }
 
 /// The elements of a beam; none: its line is wrong, which is reported elsewhere.
-fn count(document: &Document, place: usize, beam: &BeamSpec) -> Option<usize> {
+fn count(document: &Document, number: usize, beam: &BeamSpec) -> Option<usize> {
     let fewest = FEWEST_ELEMENTS as usize;
     let drawn = |count: usize| lines::line(document, beam, count).ok().flatten();
     let line = (0..MOST_TIMES).find_map(|times| drawn(fewest << times))?;
@@ -34,7 +34,7 @@ fn count(document: &Document, place: usize, beam: &BeamSpec) -> Option<usize> {
     let angle = if pretwist.is_finite() { turned.max(pretwist) } else { turned };
     // The round-off of a full turn makes no further element.
     let least = fewest.max((angle / LARGEST_ANGLE - 1e-9).ceil() as usize);
-    let held: Vec<f64> = held_places(document, place);
+    let held: Vec<f64> = held_fractions(document, number);
     let is_right = |count: &usize| match held.is_empty() {
         true => drawn(*count).is_some(),
         false => held.iter().all(|fraction| fits(document, beam, *count, *fraction)),
@@ -43,10 +43,10 @@ fn count(document: &Document, place: usize, beam: &BeamSpec) -> Option<usize> {
 }
 
 /// Fractions of a beam at which joints hold on to nodes.
-fn held_places(document: &Document, place: usize) -> Vec<f64> {
+fn held_fractions(document: &Document, number: usize) -> Vec<f64> {
     let joints = document.joints.iter().flat_map(|joint| [joint.a, joint.b]);
     let fractions = joints.filter_map(|anchor| match anchor.spot {
-        Spot::Beam { beam, along: Along::Fraction(fraction) } if beam == place => Some(document.value(fraction)),
+        Spot::Beam { beam, along: Along::Fraction(fraction) } if beam == number => Some(document.value(fraction)),
         _ => None,
     });
     fractions.filter(|fraction| (0.0..=1.0).contains(fraction)).collect()

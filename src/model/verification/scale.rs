@@ -84,8 +84,8 @@ mod tests {
         assert_eq!(found, [98.1 + 1e-9, 0.0, 0.0]);
     }
 
-    /// An axial force beside a moment that bends is compared with a tenth of what the moment is as a force, 9000 N m over
-    /// 2 m, and one of round-off with nothing; strains have no share in pure numbers of other names.
+    /// An axial force beside a moment that bends is compared with a tenth of what the moment is as a force, 9000 N m
+    /// over 2 m, and one of round-off with nothing; strains have no share in pure numbers of other names.
     #[test]
     fn small_quantities_are_compared_with_the_largest_of_their_kind() {
         let found = of([
