@@ -46,7 +46,7 @@ fn files_are_written_as_agreed() {
     let output = modes(directory.path(), "rotating_shaft", &["--count", "4"]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let table = text(&output.stdout);
-    assert!(table.lines().nth(1).is_some_and(|line| line.contains("9.06120") && line.contains("56.9332")), "{table}");
+    assert!(table.lines().nth(1).is_some_and(|line| line.contains("9.06071") && line.contains("56.9301")), "{table}");
     assert!(table.contains("disk, along y") && table.contains("shaft.end, turning about x"), "{table}");
     let file =
         |name: &str| std::fs::read_to_string(directory.path().join("rotating_shaft-results").join(name)).unwrap();
@@ -69,7 +69,7 @@ fn files_are_written_as_agreed() {
     assert_eq!(rows.len(), 1 + 4 * 8);
     assert_eq!((rows[1][1], rows[8][1]), ("shaft.node[0]", "disk"));
     assert_eq!(rows[8][6], "1", "what moves most moves by one");
-    assert!(picture.contains("9.06120 Hz") && picture.matches("<polyline").count() == 8);
+    assert!(picture.contains("9.06071 Hz") && picture.matches("<polyline").count() == 8);
 }
 
 #[test]
