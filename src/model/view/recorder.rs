@@ -3,7 +3,6 @@
 use super::scene::{Scene, Watched};
 use super::stations::{RESULTS, Stations, quaternion, steps};
 use crate::math::Vec3;
-use crate::mechanics::force::load::Direction;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::output::joint_loads::JointLoads;
@@ -194,12 +193,8 @@ fn look(watched: &Watched, system: &System, state: &State, c: &Configuration, se
     for (number, marker) in &watched.arrows {
         let load = &system.loads[*number];
         let wrench = load.at(state.instant(), &state.targets.loads[*number]);
-        let pose = marker.pose(c);
-        let [force, moment] = [wrench.force, wrench.moment].map(|local| match load.direction {
-            Direction::Global => local,
-            Direction::Follower => pose.axes * local,
-        });
-        arrow_places.extend(pose.place.iter());
+        let [force, moment] = load.in_space(marker, c, &wrench);
+        arrow_places.extend(place(marker).iter());
         forces.extend(force.iter());
         moments.extend(moment.iter());
     }
