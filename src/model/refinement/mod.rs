@@ -163,6 +163,9 @@ impl Refinement {
     /// Judges the run that has come to its end, with its conclusion; returns the next one, not initialized, unless the
     /// accuracy is reached or cannot be.
     pub fn judge(&mut self, simulation: &Simulation) -> Option<Box<Simulation>> {
+        if self.end.is_some() {
+            return None;
+        }
         self.runs += 1;
         let cost = simulation.cost();
         match self.runs {

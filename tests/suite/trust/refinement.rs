@@ -103,6 +103,24 @@ fn what_a_run_claims_is_true() {
     assert!(outcome.line().contains("runs, accuracy of the steps reached: 0."), "{}", outcome.line());
 }
 
+/// A repetition that fails does not count: the run before it is told with its own errors, and the reason. Its few rows
+/// agree with those of the run before, which says nothing.
+#[test]
+fn a_repetition_that_fails_does_not_count() {
+    let mut first = Box::new(load(&mount(3e-2)));
+    let mut refinement = Refinement::of(&mut first, BUDGET).unwrap();
+    run(&mut first, &MOUNT, |simulation| refinement.look(simulation));
+    let mut next = refinement.judge(&first).expect("the steps are too coarse");
+    let worst = refinement.outcome(&first).worst;
+    next.initialize(0.0).unwrap();
+    refinement.look(&next);
+    refinement.fail(String::from("the steps are too short"));
+    assert!(refinement.judge(&first).is_none());
+    let outcome = refinement.outcome(&first);
+    assert_eq!((outcome.runs, &outcome.worst), (1, &worst));
+    assert_eq!(outcome.end, End::Failed(String::from("the steps are too short")));
+}
+
 /// Costs are steps and elements, not seconds: the same file gives the same rows.
 #[test]
 fn the_same_file_gives_the_same_runs() {
