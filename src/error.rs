@@ -59,6 +59,24 @@ t = decimal(*.time)
         /// The bound, rad.
         limit: f64,
     },
+    /// A beam has run through a convex surface.
+    #[error(
+        "element {element} of {beam} ran through the surface {surface} (radius {radius:.3} m) in the step to t = {t} s; try a smaller \
+         step, or a stiffer contact",
+t = decimal(*.time)
+)]
+    RunThrough {
+        /// Time of the step's end, s.
+        time: f64,
+        /// The beam's name.
+        beam: String,
+        /// Number of the element in the beam, from 0.
+        element: usize,
+        /// The surface's name.
+        surface: String,
+        /// Its least radius, m.
+        radius: f64,
+    },
     /// An element is bent, or twisted in one step, too far to be a good approximation.
     #[error("element {element} of {beam} is {what} too far at t = {t} s; try more elements or a smaller step",
 t = decimal(*.time)

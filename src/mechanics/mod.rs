@@ -22,6 +22,7 @@
 pub mod beam;
 pub mod body;
 pub mod constraint;
+pub mod contact;
 pub mod force;
 pub mod geometry;
 pub mod input;

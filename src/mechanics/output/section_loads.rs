@@ -8,6 +8,7 @@ use super::joint_loads::{JointLoads, Side};
 use crate::math::Vec3;
 use crate::math::quadrature::shares_of_three;
 use crate::math::rotation::rotation_matrix;
+use crate::mechanics::beam::ancf14::coordinates::SHAPE_PLACES;
 use crate::mechanics::beam::balance::{Acting, Balance, Instant};
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::line_load::{ElementForces, LOAD_POINTS, MOST_COORDINATES};
@@ -50,7 +51,7 @@ pub struct ElementBalance<'a> {
 impl SectionLoads<'_> {
     /// The balance of element `element`.
     pub fn of_element(&self, element: usize) -> ElementBalance<'_> {
-        let JointLoads { system, state, c, .. } = *self.joints;
+        let JointLoads { system, state, c, passage, .. } = *self.joints;
         let own = &system.mesh.elements[element];
         let (mut inside, mut along): (ElementForces, Option<[Acting; LOAD_POINTS]>) = ([0.0; MOST_COORDINATES], None);
         for part in system.inner_parts_of(element) {
@@ -76,6 +77,12 @@ impl SectionLoads<'_> {
                 }
             }
         }
+        system.each_touch_of(element, c, passage, |touch| {
+            let force = touch.in_space();
+            for (weight, start) in touch.weights.iter().zip(SHAPE_PLACES) {
+                (0..3).for_each(|axis| inside[start + axis] += weight * force[axis]);
+            }
+        });
         ElementBalance { loads: self, element, balance: own.balance(&c.beams, &self.instant(element), &inside), along }
     }
 
@@ -126,7 +133,7 @@ impl ElementBalance<'_> {
     /// Force and moment of the section at `xi`, in global axes: of the part towards the end on the part towards the
     /// start. Where something acts at `xi` itself they are those of the side `facing`.
     pub fn in_space(&self, xi: f64, facing: Facing) -> Wrench {
-        let JointLoads { system, c, .. } = *self.loads.joints;
+        let JointLoads { system, c, passage, .. } = *self.loads.joints;
         if xi == 1.0 {
             let Acting { force, moment, .. } = self.balance.ends[1];
             return Wrench { force, moment };
@@ -143,6 +150,13 @@ impl ElementBalance<'_> {
                 acting.add_about(&here, share, &mut sum);
             }
         }
+        system.each_touch_of(self.element, c, passage, |touch| {
+            if touch.xi < xi {
+                let position = system.mesh.elements[self.element].axis_point(touch.xi, c.beams.q);
+                let acting = Acting { position, force: touch.in_space(), moment: Vec3::zeros() };
+                acting.add_about(&here, 1.0, &mut sum);
+            }
+        });
         for part in system.inner_parts_of(self.element) {
             if matches!(part, InnerPart::Load(number) if matches!(system.loads[number].site, Site::Line(_))) {
                 continue;

@@ -22,6 +22,7 @@ use crate::mechanics::body::rigid_body::{BodyDesign, RigidBody};
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::rigidity;
 use crate::mechanics::constraint::weld;
+use crate::mechanics::contact::Contact;
 use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::load::{Load, Site};
 use crate::mechanics::force::spring::Spring;
@@ -37,6 +38,7 @@ use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate};
 use crate::mechanics::state::State;
 use crate::mechanics::state::lists::Lists;
+use std::ops::Range;
 
 /// A system in the making.
 ///
@@ -366,6 +368,16 @@ impl SystemBuilder {
     /// Adds actuator `actuator` to what joint `joint` of the model file consists of.
     pub fn add_actuator_of(&mut self, joint: usize, actuator: usize) {
         self.system.joint_parts[joint].actuators.push(actuator);
+    }
+
+    /// The elements of beam `beam`.
+    pub fn elements_of(&self, beam: usize) -> Range<usize> {
+        self.system.beams[beam].element_range()
+    }
+
+    /// Adds a contact.
+    pub fn add_contact(&mut self, contact: Contact) {
+        self.system.contacts.push(contact);
     }
 
     /// Adds a load.

@@ -4,6 +4,7 @@ use crate::math::Vec3;
 use crate::math::vectors::vec3;
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::body::kinematics::BODY;
+use crate::mechanics::force::spring::Spring;
 use crate::mechanics::geometry::pose::axis_place;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
@@ -23,14 +24,14 @@ pub enum Part {
 impl System {
     /// Strain energy of beams and energy of springs, J.
     pub fn elastic_energy(&self, c: &Configuration) -> f64 {
-        self.with_energy_of_springs(self.mesh.elements.iter().map(|element| element.energy(&c.beams)).sum(), c)
+        self.with_stored_energy(self.mesh.elements.iter().map(|element| element.energy(&c.beams)).sum(), c)
     }
 
-    /// The strain energy `beams` of the beams, J, and that of the springs.
-    pub(super) fn with_energy_of_springs(&self, beams: f64, c: &Configuration) -> f64 {
-        self.springs
-            .iter()
-            .fold(beams, |sum, spring| sum + spring.energy(&self.relative_coordinates[spring.coordinate], c))
+    /// The strain energy `beams` of the beams, J, and that of springs and contacts.
+    pub(super) fn with_stored_energy(&self, beams: f64, c: &Configuration) -> f64 {
+        let energy = |spring: &Spring| spring.energy(&self.relative_coordinates[spring.coordinate], c);
+        let whole = self.springs.iter().fold(beams, |sum, spring| sum + energy(spring));
+        if self.contacts.is_empty() { whole } else { whole + self.contact_energy(c) }
     }
 
     /// Kinetic energy with the velocities `velocity` at `c`, J.

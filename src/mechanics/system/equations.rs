@@ -39,6 +39,11 @@ impl System {
                 push(sides[number / 2].coordinates(&self.mesh), sides[number % 2].coordinates(&self.mesh));
             }
         }
+        for (body, element) in self.contact_pairs() {
+            let (body, element) = (body..body + BODY, self.mesh.elements[element].coordinates());
+            push(element.clone(), body.clone());
+            push(body, element);
+        }
         self.push_reading_blocks(blocks);
     }
 
@@ -60,6 +65,7 @@ impl System {
             self.add_material_damping(c, velocity, *strain_rates, forces);
         }
         self.add_springs(c, passage, forces);
+        self.add_contact_forces(c, passage, 1.0, forces);
     }
 
     /// [`Self::forces`], and sets the first blocks of `tangent` to `scale` times their derivative by `q` (over a step:
@@ -91,6 +97,8 @@ impl System {
         self.add_springs(c, passage, forces);
         self.set_spring_tangent(c, passage, scale, tangent);
         self.set_effort_tangent(c, passage, excitation, scale, tangent);
+        self.add_contact_forces(c, passage, 1.0, forces);
+        self.set_contact_tangent(c, passage, scale, tangent);
     }
 
     // Each on its own: as parts of one function the matrices of beams, loads and springs would stand on the stack

@@ -66,6 +66,7 @@ impl System {
         self.check_elements(c, time)?;
         let bodies = self.check_bodies(c, state, turn, time)?;
         let joints = self.check_joints(c, state, time)?;
+        self.check_contacts(c, state, time)?;
         Ok((nodes / turn).max(bodies / turn).max(joints / LARGEST_ANGLE_CHANGE))
     }
 

@@ -55,6 +55,7 @@ impl System {
         !self.actuators.is_empty()
             || self.loads.iter().any(Load::may_turn)
             || self.springs.iter().any(|own| !own.is_idle())
+            || !self.contacts.is_empty()
     }
 
     /// The frames of nodes that these forces depend on, by their numbers.
@@ -82,6 +83,14 @@ impl System {
                     forces[range].iter_mut().zip(own).for_each(|(sum, own)| *sum -= factor * own);
                 });
             }
+        }
+        match sight {
+            // Without damping, whose rates the middle of the time does not know.
+            Sight::Step(step) => {
+                let passage = Passage::Step(TimeStep { duration: f64::INFINITY, ..*step });
+                self.add_contact_forces(c, &passage, factor, forces);
+            }
+            Sight::Middle(_) => self.add_contact_forces(c, &Passage::Rest, factor, forces),
         }
         let mut take = |marker: &Marker, part: &MarkerVector, factor: f64| {
             let range = marker.coordinates(&self.mesh);

@@ -2,6 +2,7 @@
 
 mod breaks;
 pub mod builder;
+mod contacts;
 mod dampers;
 mod efforts;
 pub mod energy;
@@ -43,6 +44,7 @@ use crate::mechanics::beam::node::Node;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
+use crate::mechanics::contact::Contact;
 use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::load::{Direction, Load, Site};
 use crate::mechanics::force::spring::Spring;
@@ -96,6 +98,8 @@ pub struct System {
     pub loads: Vec<Load>,
     /// Actuators in file order.
     pub actuators: Vec<Actuator>,
+    /// Contacts of beams with surfaces, in file order.
+    pub contacts: Vec<Contact>,
     /// Watched points in the order of their adding.
     pub sensors: Vec<Sensor>,
     /// Largest extent of the system as drawn, m: what lengths are compared with.

@@ -1,5 +1,5 @@
-//! The order of the blocks of a system's tangent: those of elements, bodies, load points, springs, actuators and what
-//! these read.
+//! The order of the blocks of a system's tangent: those of elements, bodies, load points, springs, actuators, contacts
+//! with bodies, and what actuators read.
 
 use super::System;
 use crate::mechanics::force::load::Site;
@@ -7,6 +7,8 @@ use std::ops::Range;
 
 /// Blocks of a spring or an actuator: one for each pair of its sides.
 const OF_PAIR: usize = 4;
+/// Blocks between an element and the body whose surface it may touch: its force by the body, the body's by it.
+const OF_CONTACT: usize = 2;
 
 /// The numbers of the blocks of the tangent, which come first in the matrix of every solver.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +17,7 @@ pub(super) struct TangentLayout {
     first_load_point: usize,
     first_spring: usize,
     first_actuator: usize,
+    first_contact: usize,
     first_reading: usize,
 }
 
@@ -25,8 +28,9 @@ impl TangentLayout {
         let load_points = system.loads.iter().filter(|load| matches!(load.site, Site::Point(_))).count();
         let first_spring = first_load_point + load_points;
         let first_actuator = first_spring + OF_PAIR * system.springs.len();
-        let first_reading = first_actuator + OF_PAIR * system.actuators.len();
-        Self { first_body, first_load_point, first_spring, first_actuator, first_reading }
+        let first_contact = first_actuator + OF_PAIR * system.actuators.len();
+        let first_reading = first_contact + OF_CONTACT * system.contact_pairs().count();
+        Self { first_body, first_load_point, first_spring, first_actuator, first_contact, first_reading }
     }
 
     /// Blocks of a reading of an actuator: two for each pair of a side of the actuator and one of the reading.
@@ -54,6 +58,11 @@ impl TangentLayout {
     pub fn spring(self, number: usize) -> Range<usize> {
         let first = self.first_spring + OF_PAIR * number;
         first..first + OF_PAIR
+    }
+
+    /// The blocks of contacts with bodies, in the order of the contacts and their elements.
+    pub fn contact_pairs(self) -> Range<usize> {
+        self.first_contact..self.first_reading
     }
 
     /// The blocks of an actuator, by pairs of its sides: aa, ab, ba, bb.

@@ -96,6 +96,11 @@ impl System {
             found.by_frames += given;
             found.dissipated += taken;
         }
+        let contacts = self.finish_contacts(c, step, forces);
+        found.elastic += contacts.elastic;
+        found.work += contacts.by_frames - contacts.dissipated;
+        found.by_frames += contacts.by_frames;
+        found.dissipated += contacts.dissipated;
         found
     }
 
@@ -124,7 +129,7 @@ impl System {
     /// Power of moving frames through springs at the instant `c`, W.
     pub fn power_of_frames(&self, c: &Configuration, velocity: &[f64]) -> f64 {
         let power = |spring: &Spring| spring.power(&self.relative_coordinates[spring.coordinate], c, velocity)[0];
-        self.springs.iter().map(power).sum()
+        self.springs.iter().map(power).sum::<f64>() + self.power_of_frames_by_contacts(c, velocity)
     }
 
     /// Sets what a step from `c` with the velocities `velocity` starts with: `starts` of elements, and `strain_rates`
@@ -168,7 +173,7 @@ impl System {
             .fold([external, viscous + self.power_of_mass_damping(c, velocity)], |[given, taken], own| {
                 [given + own[0], taken + own[1]]
             });
-        let elastic = self.with_energy_of_springs(beams, c);
+        let elastic = self.with_stored_energy(beams, c);
         (Energies { kinetic: self.kinetic_energy(c, velocity), elastic }, power)
     }
 

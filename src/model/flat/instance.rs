@@ -244,6 +244,14 @@ impl<'a> Flattener<'a> {
             let item = match (role(&section.key, &entry.key, is_list), &entry.item.node) {
                 (Role::Word, _) => entry.item.clone(),
                 (Role::Name(kind), Node::Text(name)) => self.named(scope, Some(kind), name, &entry.item),
+                (Role::Names(kind), Node::Text(name)) => self.named(scope, Some(kind), name, &entry.item),
+                (Role::Names(kind), Node::Array(items)) => {
+                    let named = items.iter().map(|item| match &item.node {
+                        Node::Text(name) => self.named(scope, Some(kind), name, item),
+                        _ => item.clone(),
+                    });
+                    Item { node: Node::Array(named.collect()), ..entry.item }
+                }
                 (Role::Part, Node::Text(name)) => self.named(scope, None, name, &entry.item),
                 _ => self.numbers(scope, &entry.item),
             };

@@ -27,12 +27,13 @@ pub enum Kind {
     Stop,
     Lock,
     Surface,
+    Contact,
     Load,
     Output,
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 19] = [
+pub const SECTIONS: [(&str, Kind); 20] = [
     ("function", Kind::Function),
     ("material", Kind::Material),
     ("section", Kind::Section),
@@ -50,6 +51,7 @@ pub const SECTIONS: [(&str, Kind); 19] = [
     ("stop", Kind::Stop),
     ("lock", Kind::Lock),
     ("surface", Kind::Surface),
+    ("contact", Kind::Contact),
     ("load", Kind::Load),
     ("output", Kind::Output),
 ];
@@ -63,7 +65,7 @@ impl Kind {
     /// Whether it holds places together or acts on them: only outputs refer to places and to these by one key.
     pub fn is_connection(self) -> bool {
         use Kind::*;
-        matches!(self, Joint | Drive | Actuator | Gear | Spring | Friction | Stop | Lock)
+        matches!(self, Joint | Drive | Actuator | Gear | Spring | Friction | Stop | Lock | Contact)
     }
 
     /// Whether the solver knows it by its name.

@@ -5,6 +5,7 @@ pub mod acting;
 pub mod actuator;
 pub mod beam;
 pub mod body;
+pub mod contact;
 pub mod curve;
 pub mod damping;
 pub mod drive;
@@ -99,6 +100,7 @@ parts! {
     stops: Stop, stop::StopSpec, "Stops, in file order.";
     locks: Lock, lock::LockSpec, "Locks, in file order.";
     surfaces: Surface, surface::SurfaceSpec, "Surfaces, in file order.";
+    contacts: Contact, contact::ContactSpec, "Contacts, in file order.";
     loads: Load, load::LoadSpec, "Loads, in file order.";
     outputs: Output, output::OutputSpec, "Outputs, in file order.";
 }

@@ -1,5 +1,5 @@
-//! `[surface.NAME]`: a rigid surface that is fixed to the ground, a body or a frame. It is drawn; nothing touches it
-//! yet.
+//! `[surface.NAME]`: a rigid surface that is fixed to the ground, a body or a frame. Beams touch it where a
+//! `[contact.NAME]` says so.
 
 use super::Parts;
 use crate::math::rotation::triad_along;
@@ -21,18 +21,23 @@ pub(super) const KEYS: &[Key] = &[
     Key::global(&[&AXIS], Role::Direction),
     Key::number(&[&RADIUS]),
     Key::number(&[&LENGTH]),
+    Key::number(&[&GROOVE]),
+    Key::flag("inside", "true: beams touch the cylinder or the sphere from inside"),
 ];
 
 const OFFSET: Rule = Rule::new(
     "offset",
-    "point of the plane, middle of the cylinder, center of the sphere, in the axes of what it is on",
+    "point of the plane, middle of the cylinder or sheave, center of the sphere, in the axes of what it is on",
     "m",
 );
 const NORMAL: Rule = Rule::new("normal", "normal of the plane as drawn, global, towards what may touch it", "");
-const AXIS: Rule = Rule::new("axis", "axis of the cylinder as drawn, global", "");
-const RADIUS: Rule = Rule::new("radius", "radius of the surface", "m").above(0.0);
+const AXIS: Rule = Rule::new("axis", "axis of the cylinder or sheave as drawn, global", "");
+const RADIUS: Rule =
+    Rule::new("radius", "radius of the surface; of a sheave to the bottom of its groove", "m").above(0.0);
 const LENGTH: Rule =
     Rule::new("length", "length of the cylinder; without it, the cylinder has no ends", "m").above(0.0);
+const GROOVE: Rule =
+    Rule::new("groove", "radius of the groove of a sheave, in a section along its axis", "m").above(0.0);
 
 /// A section `[surface.NAME]`.
 #[derive(Clone, Debug)]
@@ -55,7 +60,7 @@ pub struct SurfaceSpec {
 pub enum Shape {
     /// A plane with this normal.
     Plane([Number; 3]),
-    /// The outside of a cylinder.
+    /// The outside of a cylinder, or its inside.
     Cylinder {
         /// Its direction.
         axis: [Number; 3],
@@ -63,9 +68,25 @@ pub enum Shape {
         radius: Number,
         /// Half to each side of the middle, m; none: it has no ends.
         length: Option<Number>,
+        /// Beams touch it from inside.
+        inside: bool,
     },
-    /// The outside of a sphere with this radius, m.
-    Sphere(Number),
+    /// The outside of a sphere, or its inside.
+    Sphere {
+        /// m.
+        radius: Number,
+        /// Beams touch it from inside.
+        inside: bool,
+    },
+    /// A wheel with a round groove in its rim.
+    Sheave {
+        /// Its direction.
+        axis: [Number; 3],
+        /// To the bottom of the groove, m.
+        radius: Number,
+        /// Radius of the groove, m.
+        groove: Number,
+    },
 }
 
 #[derive(Clone, Copy)]
@@ -73,9 +94,11 @@ enum Word {
     Plane,
     Cylinder,
     Sphere,
+    Sheave,
 }
 
-const SHAPES: [(&str, Word); 3] = [("plane", Word::Plane), ("cylinder", Word::Cylinder), ("sphere", Word::Sphere)];
+const SHAPES: [(&str, Word); 4] =
+    [("plane", Word::Plane), ("cylinder", Word::Cylinder), ("sphere", Word::Sphere), ("sheave", Word::Sheave)];
 
 /// Parts that a surface can be fixed to.
 const CARRIERS: Allowed = Allowed { kinds: &[Kind::Body, Kind::Frame], ground: true, forms: "ground, BODY or FRAME" };
@@ -98,9 +121,14 @@ impl SurfaceSpec {
             Word::Plane => Shape::Plane(reader.vector(&NORMAL)),
             Word::Cylinder => {
                 let (axis, radius) = (reader.vector(&AXIS), reader.number(&RADIUS));
-                Shape::Cylinder { axis, radius, length: reader.optional(&LENGTH) }
+                let (length, inside) = (reader.optional(&LENGTH), reader.boolean("inside", false));
+                Shape::Cylinder { axis, radius, length, inside }
             }
-            Word::Sphere => Shape::Sphere(reader.number(&RADIUS)),
+            Word::Sphere => Shape::Sphere { radius: reader.number(&RADIUS), inside: reader.boolean("inside", false) },
+            Word::Sheave => {
+                let axis = reader.vector(&AXIS);
+                Shape::Sheave { axis, radius: reader.number(&RADIUS), groove: reader.number(&GROOVE) }
+            }
         };
         reader.finish();
         Some(Self { name: name.to_owned(), place, on: on?, offset, shape })
@@ -115,8 +143,10 @@ impl SurfaceSpec {
     /// The direction of its normal or axis, global, as drawn; of a sphere none.
     fn direction(&self) -> Option<[Number; 3]> {
         match self.shape {
-            Shape::Plane(direction) | Shape::Cylinder { axis: direction, .. } => Some(direction),
-            Shape::Sphere(_) => None,
+            Shape::Plane(direction)
+            | Shape::Cylinder { axis: direction, .. }
+            | Shape::Sheave { axis: direction, .. } => Some(direction),
+            Shape::Sphere { .. } => None,
         }
     }
 
@@ -156,10 +186,17 @@ impl SurfaceSpec {
                 let half = 0.5 * length.map_or(size, |length| numbers.value(length));
                 rings([-half, half].map(|x| [x, numbers.value(radius)]))
             }
-            Shape::Sphere(radius) => rings((0..RINGS).map(|ring| {
+            Shape::Sphere { radius, .. } => rings((0..RINGS).map(|ring| {
                 let (sine, cosine) = (PI * ring as f64 / (RINGS - 1) as f64).sin_cos();
                 [-cosine, sine].map(|part| part * numbers.value(radius))
             })),
+            Shape::Sheave { radius, groove, .. } => {
+                let (radius, groove) = (numbers.value(radius), numbers.value(groove));
+                rings((0..RINGS).map(|ring| {
+                    let (sine, cosine) = (PI * ring as f64 / (RINGS - 1) as f64).sin_cos();
+                    [-cosine * groove, radius + groove * (1.0 - sine)]
+                }))
+            }
         }
     }
 }

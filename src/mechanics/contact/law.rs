@@ -1,0 +1,108 @@
+//! The normal force of a contact per length of beam, from a potential: over a step its mean over the way of the
+//! penetration, so that it works as much as its energy changes.
+
+/// How hard a contact is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Law {
+    /// Force per length of beam and penetration, N/m².
+    pub stiffness: f64,
+    /// By how much the force is larger for each unit of the rate of the penetration, s/m.
+    pub damping: f64,
+}
+
+/// A force per length and its derivative with respect to the penetration at the end of the step, or at the instant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pressure {
+    /// N/m, at least 0.
+    pub force: f64,
+    /// N/m².
+    pub slope: f64,
+    /// The part of the force that the potential has, N/m.
+    pub elastic: f64,
+}
+
+impl Law {
+    /// Energy per length at a penetration, J/m.
+    pub fn energy(&self, penetration: f64) -> f64 {
+        0.5 * self.stiffness * penetration.max(0.0).powi(2)
+    }
+
+    /// At an instant, with the rate of the penetration, m/s.
+    pub fn at(&self, penetration: f64, rate: f64) -> Pressure {
+        if penetration <= 0.0 {
+            return Pressure::default();
+        }
+        let elastic = self.stiffness * penetration;
+        let factor = (1.0 + self.damping * rate).max(0.0);
+        Pressure { force: elastic * factor, slope: self.stiffness * factor, elastic }
+    }
+
+    /// Derivative of the force at an instant with respect to the rate of the penetration, N s/m².
+    pub fn by_rate(&self, penetration: f64, rate: f64) -> f64 {
+        if penetration <= 0.0 || 1.0 + self.damping * rate <= 0.0 {
+            return 0.0;
+        }
+        self.stiffness * penetration * self.damping
+    }
+
+    /// Over a step of `duration` s from one penetration to another.
+    pub fn over(&self, [start, end]: [f64; 2], duration: f64) -> Pressure {
+        let Pressure { force: elastic, slope, .. } = self.mean(start, end);
+        if self.damping == 0.0 || elastic == 0.0 {
+            return Pressure { force: elastic, slope, elastic };
+        }
+        let factor = 1.0 + self.damping * (end - start) / duration;
+        if factor <= 0.0 {
+            return Pressure { elastic, ..Pressure::default() };
+        }
+        Pressure { force: elastic * factor, slope: slope * factor + elastic * self.damping / duration, elastic }
+    }
+
+    /// The mean of the elastic force over the way: `(φ(p₁) − φ(p₀))/(p₁ − p₀)` without cancellation.
+    fn mean(&self, start: f64, end: f64) -> Pressure {
+        let half = 0.5 * self.stiffness;
+        let [force, slope] = match (start > 0.0, end > 0.0) {
+            (true, true) => [half * (start + end), half],
+            (false, true) => {
+                let share = end / (end - start);
+                [half * end * share, half * share * (2.0 - share)]
+            }
+            (true, false) => {
+                let share = start / (start - end);
+                [half * start * share, half * share * share]
+            }
+            (false, false) => [0.0; 2],
+        };
+        Pressure { force, slope, elastic: force }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The mean force works as much as the energy changes, to round-off; its slope is the derivative, to the square of
+    /// the step of the differences.
+    #[test]
+    fn energy_and_slope() {
+        let own = Law { stiffness: 2e4, damping: 0.0 };
+        for [start, end] in [[-0.01, 0.02], [0.02, -0.01], [0.01, 0.03], [-0.02, -0.01], [0.0, 0.01]] {
+            let found = own.over([start, end], 1.0);
+            let work = found.force * (end - start);
+            assert!((work - (own.energy(end) - own.energy(start))).abs() < 1e-12, "{start} {end}");
+            let [plus, minus] = [1e-7, -1e-7].map(|change| own.over([start, end + change], 1.0).force);
+            assert!((found.slope - (plus - minus) / 2e-7).abs() < 1e-3, "{start} {end}");
+        }
+    }
+
+    /// Damping never pulls, and takes energy on both ways.
+    #[test]
+    fn damping() {
+        let own = Law { stiffness: 2e4, damping: 0.5 };
+        for [start, end] in [[0.01, 0.02], [0.02, 0.01], [0.02, -0.03]] {
+            let Pressure { force, elastic, .. } = own.over([start, end], 0.01);
+            assert!(force >= 0.0 && (force - elastic) * (end - start) > 0.0, "{start} {end}: {force} {elastic}");
+        }
+        assert_eq!(own.over([0.02, -0.03], 0.01).force, 0.0);
+    }
+}

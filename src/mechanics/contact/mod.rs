@@ -1,0 +1,95 @@
+//! Contact of beams with rigid surfaces: a force per length of beam that depends on how far its surface is inside.
+//!
+//! A contact is one surface and the elements of one beam that may touch it. Sums over a system are in
+//! `system/contacts.rs`.
+
+pub mod law;
+pub mod pieces;
+pub mod shape;
+pub mod touch;
+
+use self::law::Law;
+use self::pieces::Lying;
+use self::shape::Shape;
+use crate::math::{Mat3, Vec3};
+use crate::mechanics::beam::ancf14::coordinates::SHAPE_PLACES;
+use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::geometry::pose::Pose;
+use crate::mechanics::marker::Marker;
+use crate::mechanics::marker::configuration::Configuration;
+use std::ops::Range;
+
+/// A rigid surface, fixed to the ground, a moving frame or a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// Name in the model file.
+    pub name: String,
+    /// Where it is; x is along its normal or axis.
+    pub marker: Marker,
+    /// Its shape.
+    pub shape: Shape,
+}
+
+/// Contact of the elements of a beam with a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contact {
+    /// Name in the model file.
+    pub name: String,
+    /// The surface.
+    pub surface: Surface,
+    /// The elements that may touch it.
+    pub elements: Range<usize>,
+    /// Distance of the surface of the beam from its axis, m.
+    pub radius: f64,
+    /// Its normal force.
+    pub law: Law,
+}
+
+impl Contact {
+    /// The body that carries the surface, by its first coordinate.
+    pub fn body(&self) -> Option<usize> {
+        match self.surface.marker {
+            Marker::Body { start, .. } => Some(start),
+            _ => None,
+        }
+    }
+
+    /// What carries the surface.
+    pub fn carrier(&self, c: &Configuration) -> Pose {
+        self.surface.marker.bare().pose(c)
+    }
+
+    /// Place and axes of the surface relative to its carrier.
+    fn seat(&self) -> (Vec3, Mat3) {
+        match self.surface.marker {
+            Marker::Ground(pose) => (pose.place, pose.axes),
+            Marker::Frame { offset, axes, .. }
+            | Marker::Body { offset, axes, .. }
+            | Marker::Node { offset, axes, .. }
+            | Marker::Section { offset, axes, .. } => (offset, axes),
+        }
+    }
+
+    /// How `element` lies in the axes of the surface, which `carrier` carries.
+    fn lying(&self, element: &AnyElement, carrier: &Pose, c: &Configuration) -> Lying {
+        let q = &c.beams.q[element.coordinates()];
+        let (place, axes) = self.seat();
+        let into = axes.transpose() * carrier.axes.transpose();
+        let mut vectors = SHAPE_PLACES.map(|start| Vec3::new(q[start], q[start + 1], q[start + 2]));
+        for (number, vector) in vectors.iter_mut().enumerate() {
+            // Slopes have no place.
+            *vector = match number % 2 {
+                0 => into * (*vector - carrier.place) - axes.tr_mul(&place),
+                _ => into * *vector,
+            };
+        }
+        Lying { vectors, length: element.length() }
+    }
+
+    /// Whether an element touches the surface neither at one of both ends of a step nor on the way.
+    fn is_clear(&self, [start, end]: [&Lying; 2]) -> bool {
+        let middles = [start, end].map(|own| own.place(0.5));
+        let gap = middles.iter().map(|place| self.surface.shape.least_distance(place)).fold(f64::INFINITY, f64::min);
+        gap - self.radius - (middles[1] - middles[0]).norm() > start.reach().max(end.reach())
+    }
+}

@@ -1,0 +1,188 @@
+//! One element that touches a surface: the force at each point of integration, with its derivative.
+//!
+//! In the axes of the carrier a point of the beam is at `y' = Bᵀ(x − c)`, with the place `c` and the axes `B` of the
+//! carrier. Over a step `Δy' = B̄ᵀ Δ(x − c) + ΔBᵀ ē` holds exactly with the means `B̄` and `ē` of `B` and of the arm
+//! `e = x − c`. A force `F'` along `Δy'` is `B̄ F'` on the point, `−B̄ F'` on the carrier's place and `−F'ᵢ ē` on its
+//! director `i`.
+
+use super::Contact;
+use super::law::Pressure;
+use super::pieces::each_point;
+use crate::math::{Mat3, Vec3, hermite};
+use crate::mechanics::beam::ancf14::coordinates::interpolate;
+use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::body::kinematics;
+use crate::mechanics::geometry::pose::Pose;
+use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
+
+/// How a carrier and a point of the beam lie to each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Arms {
+    /// Axes of the carrier over the step, or at the instant: `B̄`.
+    pub axes: Mat3,
+    /// From the carrier to the point: `ē`, m.
+    pub arm: Vec3,
+    /// The same at the end of the step.
+    pub end_axes: Mat3,
+    /// The same at the end of the step, m.
+    pub end_arm: Vec3,
+}
+
+/// A point of an element that touches a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Touch {
+    /// Place in the element, 0 to 1.
+    pub xi: f64,
+    /// Weights of the element's places and slopes.
+    pub weights: [f64; 4],
+    /// Force on the beam in the axes of the carrier, N.
+    pub force: Vec3,
+    /// Minus the derivative of the force with respect to `y'` at the instant, or twice that at the end of a step, N/m.
+    pub stiffness: Mat3,
+    /// How carrier and point lie.
+    pub arms: Arms,
+    /// How far the point is inside, m.
+    pub penetration: f64,
+    /// Energy that the step takes, J.
+    pub dissipated: f64,
+    /// Energy of the penetration at the instant or at the end of the step, J.
+    pub energy: f64,
+}
+
+impl Contact {
+    /// Calls `take` with each point of `element` that touches the surface at `c`, through which the system passes as
+    /// `passage` says.
+    pub fn each_touch(&self, element: &AnyElement, c: &Configuration, passage: &Passage, take: impl FnMut(&Touch)) {
+        match passage {
+            Passage::Step(step) => self.each_touch_over(element, step, take),
+            Passage::Rest | Passage::Corrected(_) => self.each_touch_at(element, c, None, take),
+            Passage::Instant { velocity, velocity_by_q, .. } => {
+                self.each_touch_at(element, c, Some((velocity, *velocity_by_q)), take);
+            }
+        }
+    }
+
+    /// The same over a step.
+    fn each_touch_over(&self, element: &AnyElement, step: &TimeStep, mut take: impl FnMut(&Touch)) {
+        let configurations = [step.start, step.end];
+        let carriers = configurations.map(|c| self.carrier(c));
+        let lying = [0, 1].map(|end| self.lying(element, &carriers[end], configurations[end]));
+        let [start, end] = &lying;
+        if self.is_clear([start, end]) {
+            return;
+        }
+        let (shape, radius, (seat, axes)) = (&self.surface.shape, self.radius, self.seat());
+        each_point(shape, radius, [start, end], |_, xi, share| {
+            let places = lying.map(|own| own.place(xi));
+            let penetrations = places.map(|place| radius - shape.distance(&place));
+            let Pressure { force, slope, elastic } = self.law.over(penetrations, step.duration);
+            let secant = shape.secant(&places[0], &places[1]);
+            let by_end = secant.direction * shape.normal(&places[1]).transpose() * slope - secant.by_end * force;
+            take(&Touch {
+                xi,
+                weights: hermite::shape(xi, element.length()),
+                force: axes * secant.direction * (share * force),
+                stiffness: axes * by_end * axes.transpose() * (2.0 * share),
+                arms: Arms::over(carriers, places.map(|place| seat + axes * place)),
+                penetration: penetrations[1],
+                dissipated: share * (force - elastic) * (penetrations[1] - penetrations[0]),
+                energy: share * self.law.energy(penetrations[1]),
+            });
+        });
+    }
+
+    /// The same at an instant, with the velocities of all coordinates and how these change with the coordinates, 1/s.
+    fn each_touch_at(
+        &self,
+        element: &AnyElement,
+        c: &Configuration,
+        motion: Option<(&[f64], f64)>,
+        mut take: impl FnMut(&Touch),
+    ) {
+        let carrier = self.carrier(c);
+        let lying = self.lying(element, &carrier, c);
+        if self.is_clear([&lying, &lying]) {
+            return;
+        }
+        let (shape, radius, (seat, axes)) = (&self.surface.shape, self.radius, self.seat());
+        each_point(shape, radius, [&lying, &lying], |_, xi, share| {
+            let place = lying.place(xi);
+            let penetration = radius - shape.distance(&place);
+            let (weights, normal) = (hermite::shape(xi, element.length()), shape.normal(&place));
+            let arms = Arms::at(carrier, seat + axes * place);
+            let (mut rate, mut by_rate) = (0.0, 0.0);
+            if let (Some((velocity, velocity_by_q)), true) = (motion, self.law.damping != 0.0) {
+                rate = -normal.dot(&axes.tr_mul(&self.rate(element, &weights, &arms, c, velocity)));
+                by_rate = velocity_by_q * self.law.by_rate(penetration, rate);
+            }
+            let Pressure { force, slope, .. } = self.law.at(penetration, rate);
+            let by_place = normal * normal.transpose() * (slope + by_rate) - shape.normal_by_place(&place) * force;
+            take(&Touch {
+                xi,
+                weights,
+                force: axes * normal * (share * force),
+                stiffness: axes * by_place * axes.transpose() * share,
+                arms,
+                penetration,
+                dissipated: 0.0,
+                energy: share * self.law.energy(penetration),
+            });
+        });
+    }
+
+    /// Rate of `y'` of a point of `element` with these `weights`, m/s.
+    fn rate(&self, element: &AnyElement, weights: &[f64; 4], arms: &Arms, c: &Configuration, velocity: &[f64]) -> Vec3 {
+        let moving = self.carrier_rate(c, velocity);
+        let rate = interpolate(weights, &velocity[element.coordinates()]) - moving.place;
+        arms.axes.tr_mul(&rate) + moving.axes.tr_mul(&arms.arm)
+    }
+
+    /// The derivative of the carrier by time.
+    fn carrier_rate(&self, c: &Configuration, velocity: &[f64]) -> Pose {
+        match self.body() {
+            Some(start) => kinematics::pose(velocity, start),
+            None => self.surface.marker.bare().pose_t(c)[0],
+        }
+    }
+
+    /// Whether a point of `element` has run through the core of the surface over `step`.
+    pub fn is_run_through(&self, element: &AnyElement, [start, end]: [&Configuration; 2]) -> bool {
+        if self.surface.shape.radius().is_infinite() {
+            return false;
+        }
+        let lying = [start, end].map(|c| self.lying(element, &self.carrier(c), c));
+        if self.is_clear([&lying[0], &lying[1]]) {
+            return false;
+        }
+        /// Points of an element that are looked at: a beam does not bend around a core between them.
+        const POINTS: usize = 5;
+        (0..POINTS).any(|number| {
+            let [start, end] = lying.map(|own| own.place(number as f64 / (POINTS - 1) as f64));
+            self.surface.shape.is_run_through(&start, &end)
+        })
+    }
+}
+
+impl Arms {
+    fn over(carriers: [Pose; 2], places: [Vec3; 2]) -> Self {
+        let [start, end] = [0, 1].map(|number| carriers[number].axes * places[number]);
+        Self {
+            axes: (carriers[0].axes + carriers[1].axes) * 0.5,
+            arm: (start + end) * 0.5,
+            end_axes: carriers[1].axes,
+            end_arm: end,
+        }
+    }
+
+    fn at(carrier: Pose, place: Vec3) -> Self {
+        let arm = carrier.axes * place;
+        Self { axes: carrier.axes, arm, end_axes: carrier.axes, end_arm: arm }
+    }
+}
+
+impl Touch {
+    /// Force on the beam in global axes, N.
+    pub fn in_space(&self) -> Vec3 {
+        self.arms.axes * self.force
+    }
+}

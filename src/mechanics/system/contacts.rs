@@ -1,0 +1,225 @@
+//! Contact of beams with surfaces in a system: forces, tangent, energy, what steps may not do.
+
+use super::System;
+use super::tangent_layout::TangentLayout;
+use crate::error::Error;
+use crate::math::blocks::Blocks;
+use crate::math::vectors::add_vec3;
+use crate::math::{Mat3, Vec3};
+use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, SHAPE_PLACES};
+use crate::mechanics::beam::configuration::BeamConfiguration;
+use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::body::kinematics::BODY;
+use crate::mechanics::contact::Contact;
+use crate::mechanics::contact::touch::Touch;
+use crate::mechanics::geometry::pose::axis_place;
+use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
+use crate::mechanics::state::State;
+
+/// What contact does over a step, J.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct ContactEnergy {
+    /// Elastic energy at the end.
+    pub elastic: f64,
+    /// What moving frames give.
+    pub by_frames: f64,
+    /// What damping takes.
+    pub dissipated: f64,
+}
+
+impl System {
+    /// Contacts with the elements that may touch, by their numbers.
+    fn contact_elements(&self) -> impl Iterator<Item = (&Contact, usize, &AnyElement)> + '_ {
+        self.contacts.iter().flat_map(|contact| {
+            let elements = self.mesh.elements[contact.elements.clone()].iter().enumerate();
+            elements.map(move |(number, element)| (contact, contact.elements.start + number, element))
+        })
+    }
+
+    /// Contacts with bodies, and the elements that may touch them: each pair has two blocks of the tangent.
+    pub(super) fn contact_pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let contacts = self.contacts.iter().filter_map(|contact| Some((contact.body()?, contact)));
+        contacts.flat_map(|(body, contact)| contact.elements.clone().map(move |element| (body, element)))
+    }
+
+    /// Adds the forces of contact, internal minus external, at `c` as `passage` says.
+    #[inline(never)]
+    pub(super) fn add_contact_forces(&self, c: &Configuration, passage: &Passage, factor: f64, forces: &mut [f64]) {
+        for (contact, _, element) in self.contact_elements() {
+            let (start, body) = (element.coordinates().start, contact.body());
+            contact.each_touch(element, c, passage, |touch| add_force(touch, start, body, factor, forces));
+        }
+    }
+
+    /// Adds `scale` times the derivative of the forces of contact to the blocks of elements and bodies, and sets those
+    /// between them; over a step twice the derivative by the coordinates at its end.
+    #[inline(never)]
+    pub(super) fn set_contact_tangent(&self, c: &Configuration, passage: &Passage, scale: f64, tangent: &mut Blocks) {
+        let layout = TangentLayout::of(self);
+        let mut pairs = layout.contact_pairs();
+        for (contact, number, element) in self.contact_elements() {
+            let Some(start) = contact.body() else {
+                let block = tangent.block_mut(layout.element(number));
+                contact.each_touch(element, c, passage, |touch| add_to_element(touch, scale, block));
+                continue;
+            };
+            let [mut of_element, mut of_body] = [[0.0; ELEMENT * ELEMENT], [0.0; ELEMENT * ELEMENT]];
+            let [mut by_body, mut by_element] = [[0.0; ELEMENT * BODY], [0.0; ELEMENT * BODY]];
+            let mut touches = false;
+            contact.each_touch(element, c, passage, |touch| {
+                touches = true;
+                add_to_element(touch, scale, &mut of_element);
+                add_with_body(touch, scale, &mut by_body, &mut by_element, &mut of_body);
+            });
+            for own in [&by_body, &by_element] {
+                let block = pairs.next().expect("a contact with a body has two blocks an element");
+                tangent.block_mut(block).copy_from_slice(own);
+            }
+            if touches {
+                let body = self.bodies.iter().position(|own| own.start == start).expect("the body is of this system");
+                let own = tangent.block_mut(layout.element(number));
+                own.iter_mut().zip(&of_element).for_each(|(own, part)| *own += part);
+                let own = tangent.block_mut(layout.body(body));
+                own.iter_mut().zip(&of_body).for_each(|(own, part)| *own += part);
+            }
+        }
+    }
+
+    /// Energy of all penetrations at `c`, J.
+    pub(super) fn contact_energy(&self, c: &Configuration) -> f64 {
+        let mut sum = 0.0;
+        for (contact, _, element) in self.contact_elements() {
+            contact.each_touch(element, c, &Passage::Rest, |touch| sum += touch.energy);
+        }
+        sum
+    }
+
+    /// Adds the forces of contact over `step`, whose middle is `c`. Returns what they do to the energies.
+    pub(super) fn finish_contacts(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64]) -> ContactEnergy {
+        let mut found = ContactEnergy::default();
+        if self.contacts.is_empty() {
+            return found;
+        }
+        self.add_contact_forces(c, &Passage::Step(*step), 1.0, forces);
+        found.elastic = self.contact_energy(step.end);
+        for (contact, _, element) in self.contact_elements() {
+            let [start, end] = [step.start, step.end].map(|c| contact.carrier(c));
+            let moves = contact.body().is_none() && start != end;
+            contact.each_touch(element, c, &Passage::Step(*step), |touch| {
+                found.dissipated += touch.dissipated;
+                if moves {
+                    found.by_frames -= touch.work_on_carrier(&(end.place - start.place), &(end.axes - start.axes));
+                }
+            });
+        }
+        found
+    }
+
+    /// Power of moving frames through contacts at the instant `c`, W.
+    pub(super) fn power_of_frames_by_contacts(&self, c: &Configuration, velocity: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for (contact, _, element) in self.contact_elements().filter(|(contact, ..)| contact.body().is_none()) {
+            let rate = contact.surface.marker.bare().pose_t(c)[0];
+            contact.each_touch(element, c, &Passage::with_velocity(velocity), |touch| {
+                sum -= touch.work_on_carrier(&rate.place, &rate.axes);
+            });
+        }
+        sum
+    }
+
+    /// Checks that no beam has run through a surface over a step or increment from `state` to `c`.
+    ///
+    /// # Errors
+    /// One has: it might leave on the other side.
+    pub(super) fn check_contacts(&self, c: &Configuration, state: &State, time: f64) -> Result<(), Error> {
+        if self.contacts.is_empty() {
+            return Ok(());
+        }
+        // Places alone count: no frames.
+        let beams = BeamConfiguration { q: &state.q, frames: &[], ..c.beams };
+        let before = Configuration { beams, prescribed: &state.prescribed, ..*c };
+        let found = self.contact_elements().find(|(own, _, element)| own.is_run_through(element, [&before, c]));
+        let Some((contact, number, _)) = found else { return Ok(()) };
+        let (beam, place) = self.beam_of(number);
+        let (beam, surface) = (beam.name.clone(), contact.surface.name.clone());
+        Err(Error::RunThrough { time, beam, element: place, surface, radius: contact.surface.shape.radius() })
+    }
+
+    /// Calls `take` with each point of element `number` that touches a surface.
+    pub fn each_touch_of(&self, number: usize, c: &Configuration, passage: &Passage, mut take: impl FnMut(&Touch)) {
+        for contact in self.contacts.iter().filter(|contact| contact.elements.contains(&number)) {
+            contact.each_touch(&self.mesh.elements[number], c, passage, &mut take);
+        }
+    }
+}
+
+impl Touch {
+    /// Work of the force that the beam exerts on the carrier while its place and axes change, J.
+    fn work_on_carrier(&self, place: &Vec3, axes: &Mat3) -> f64 {
+        -self.in_space().dot(place) - self.force.dot(&axes.tr_mul(&self.arms.arm))
+    }
+}
+
+/// Adds `factor` times the internal force of a point of the element whose coordinates begin at `start`, and of the body
+/// that carries the surface.
+fn add_force(touch: &Touch, start: usize, body: Option<usize>, factor: f64, forces: &mut [f64]) {
+    let force = touch.in_space() * factor;
+    for (weight, place) in touch.weights.iter().zip(SHAPE_PLACES) {
+        add_vec3(forces, start + place, &(force * -weight));
+    }
+    let Some(body) = body else { return };
+    add_vec3(forces, body, &force);
+    for director in 0..3 {
+        add_vec3(forces, body + axis_place(director), &(touch.arms.arm * (factor * touch.force[director])));
+    }
+}
+
+/// Adds `scale` times `∂f/∂X` of the element to its block.
+fn add_to_element(touch: &Touch, scale: f64, block: &mut [f64]) {
+    let own = touch.arms.axes * touch.stiffness * touch.arms.end_axes.transpose();
+    for (by, column) in touch.weights.iter().zip(SHAPE_PLACES) {
+        for (weight, row) in touch.weights.iter().zip(SHAPE_PLACES) {
+            add_block(block, ELEMENT, [row, column], &(own * (scale * weight * by)));
+        }
+    }
+}
+
+/// Adds `scale` times the derivatives of the forces on the element by the coordinates of the body, on the body by those
+/// of the element, and on the body by its own.
+fn add_with_body(touch: &Touch, scale: f64, by_body: &mut [f64], by_element: &mut [f64], of_body: &mut [f64]) {
+    let Touch { force, stiffness, ref arms, .. } = *touch;
+    let (rows, columns) = (arms.axes * stiffness, stiffness * arms.end_axes.transpose());
+    let places = arms.axes * columns;
+    for (weight, place) in touch.weights.iter().zip(SHAPE_PLACES) {
+        let factor = scale * weight;
+        add_block(by_body, ELEMENT, [place, 0], &(places * -factor));
+        add_block(by_element, BODY, [0, place], &(places * -factor));
+        for director in 0..3 {
+            let turned = Mat3::identity() * force[director];
+            let by_director = rows.column(director) * arms.end_arm.transpose() - turned;
+            add_block(by_body, ELEMENT, [place, axis_place(director)], &(by_director * factor));
+            let on_director = arms.arm * columns.row(director) - turned;
+            add_block(by_element, BODY, [axis_place(director), place], &(on_director * factor));
+        }
+    }
+    add_block(of_body, BODY, [0, 0], &(places * scale));
+    for director in 0..3 {
+        let turned = Mat3::identity() * force[director];
+        let by_director = turned - rows.column(director) * arms.end_arm.transpose();
+        add_block(of_body, BODY, [0, axis_place(director)], &(by_director * scale));
+        let on_director = turned - arms.arm * columns.row(director);
+        add_block(of_body, BODY, [axis_place(director), 0], &(on_director * scale));
+        for other in 0..3 {
+            let own = arms.arm * arms.end_arm.transpose() * (scale * stiffness[(director, other)]);
+            add_block(of_body, BODY, [axis_place(director), axis_place(other)], &own);
+        }
+    }
+}
+
+/// Adds a matrix to a column-major block of `rows` rows, with its corner at `row` and `column`.
+fn add_block(block: &mut [f64], rows: usize, [row, column]: [usize; 2], own: &Mat3) {
+    for (number, values) in own.column_iter().enumerate() {
+        let first = (column + number) * rows + row;
+        block[first..first + 3].iter_mut().zip(values.iter()).for_each(|(sum, value)| *sum += value);
+    }
+}

@@ -1,0 +1,91 @@
+//! Contacts of the file as parts of the system.
+
+use super::{Builder, vector};
+use crate::mechanics::contact::law::Law;
+use crate::mechanics::contact::shape::Shape;
+use crate::mechanics::contact::{Contact, Surface};
+use crate::mechanics::system::System;
+use crate::model::file::document::Document;
+use crate::model::file::entries::contact::ContactSpec;
+use crate::model::file::entries::surface::{self, SurfaceSpec};
+use crate::model::shape::sections;
+
+/// What the default stiffness of a contact with something round has more than `EA/R²`: the surface then gives by a
+/// quarter of the axial strain under the beam's own pull.
+const ROUND_SHARE: f64 = 4.0;
+/// Radii of the beam over which its axial stiffness is spread in the default stiffness of a contact with a plane.
+const FLAT_RADII: f64 = 20.0;
+
+impl Builder<'_> {
+    pub(super) fn add_contact(&mut self, written: &ContactSpec) {
+        for (beam, surface) in written.pairs() {
+            let spec = &self.document.surfaces[surface];
+            let surface = Surface { name: spec.name.clone(), ..self.surface(spec) };
+            let elements = self.system.elements_of(beam);
+            let radius = radius(self.document, written, beam);
+            let law = law(self.document, written, beam, &surface.shape);
+            self.system.add_contact(Contact { name: written.name.clone(), surface, elements, radius, law });
+        }
+    }
+
+    fn surface(&self, spec: &SurfaceSpec) -> Surface {
+        let document = self.document;
+        let carrier = self.carrier(spec.on);
+        let axes = self.system.drawn(&carrier).axes.tr_mul(&spec.axes(&document.numbers));
+        let marker = carrier.carried(&vector(document, spec.offset), &axes);
+        let shape = match spec.shape {
+            surface::Shape::Plane(_) => Shape::Plane,
+            surface::Shape::Cylinder { radius, length, inside, .. } => Shape::Cylinder {
+                radius: document.value(radius),
+                half_length: length.map_or(f64::INFINITY, |length| 0.5 * document.value(length)),
+                inside,
+            },
+            surface::Shape::Sphere { radius, inside } => Shape::Sphere { radius: document.value(radius), inside },
+            surface::Shape::Sheave { radius, groove, .. } => {
+                Shape::Sheave { radius: document.value(radius), groove: document.value(groove) }
+            }
+        };
+        Surface { name: String::new(), marker, shape }
+    }
+}
+
+/// Distance of the surface of a beam from its axis, m.
+pub fn radius(document: &Document, written: &ContactSpec, beam: usize) -> f64 {
+    written.radius.map_or_else(
+        || {
+            let section = sections::at_start(document, &document.sections[document.beams[beam].section]);
+            section.outline.size().map_or(0.0, |size| 0.5 * size[0].max(size[1]))
+        },
+        |radius| document.value(radius),
+    )
+}
+
+/// The normal force of a beam on a surface of this shape.
+fn law(document: &Document, written: &ContactSpec, beam: usize, shape: &Shape) -> Law {
+    let stiffness = written.stiffness.map_or_else(
+        || {
+            let own = &document.beams[beam];
+            let section = sections::at_start(document, &document.sections[own.section]);
+            let young = sections::material(document, own).map_or(0.0, |material| material.young);
+            let (axial, radius) = (young * section.area, radius(document, written, beam));
+            match *shape {
+                Shape::Cylinder { radius, .. } | Shape::Sphere { radius, .. } | Shape::Sheave { radius, .. } => {
+                    ROUND_SHARE * axial / (radius * radius)
+                }
+                Shape::Plane if radius > 0.0 => axial / (FLAT_RADII * radius).powi(2),
+                // Of a line without thickness its length is all that there is.
+                Shape::Plane => axial / section.gyration().max(f64::MIN_POSITIVE).powi(2) / FLAT_RADII.powi(2),
+            }
+        },
+        |stiffness| document.value(stiffness),
+    );
+    Law { stiffness, damping: document.value(written.damping) }
+}
+
+/// Sets the stiffness and damping of contacts to those of now.
+pub(super) fn retune(document: &Document, system: &mut System) {
+    let pairs = document.contacts.iter().flat_map(|written| written.pairs().map(move |pair| (written, pair)));
+    for (contact, (written, (beam, _))) in system.contacts.iter_mut().zip(pairs) {
+        contact.law = law(document, written, beam, &contact.surface.shape);
+    }
+}

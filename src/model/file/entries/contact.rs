@@ -1,0 +1,67 @@
+//! `[contact.NAME]`: beams that touch surfaces.
+
+use super::Parts;
+use crate::model::file::number::Number;
+use crate::model::file::reader::Reader;
+use crate::model::file::schema::{Key, Role, Rule};
+use crate::model::text::diagnostic::Place;
+use crate::model::text::names::Kind;
+
+/// The keys of the section.
+pub(super) const KEYS: &[Key] = &[
+    Key::name("of", Role::Names("beam"), "the beam that touches, or a list of beams"),
+    Key::name("with", Role::Names("surface"), "the surface that it touches, or a list of surfaces"),
+    Key::number(&[&RADIUS]),
+    Key::number(&[&STIFFNESS]),
+    Key::number(&[&DAMPING]),
+];
+
+const RADIUS: Rule = Rule::new(
+    "radius",
+    "distance of the surface of the beam from its axis; by default half the largest extent of its section",
+    "m",
+)
+.from(0.0);
+const STIFFNESS: Rule =
+    Rule::new("stiffness", "force per length of beam and penetration; by default that of the beam itself", "N/m2")
+        .above(0.0)
+        .tunable();
+const DAMPING: Rule =
+    Rule::new("damping", "share of the elastic force per rate of penetration", "s/m").from(0.0).tunable();
+
+/// A section `[contact.NAME]`.
+#[derive(Clone, Debug)]
+pub struct ContactSpec {
+    /// Its name.
+    pub name: String,
+    /// Where the name stands.
+    pub place: Place,
+    /// The beams, by their places in the list.
+    pub beams: Vec<usize>,
+    /// The surfaces, by their places in the list.
+    pub surfaces: Vec<usize>,
+    /// Distance of the surface of the beams from their axes, m; none: by their sections.
+    pub radius: Option<Number>,
+    /// Force per length and penetration, N/m²; none: by the beams.
+    pub stiffness: Option<Number>,
+    /// By how much the force is larger for each unit of the rate of the penetration, s/m.
+    pub damping: Number,
+}
+
+impl ContactSpec {
+    pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
+        let beams = reader.references("of", Kind::Beam);
+        let surfaces = reader.references("with", Kind::Surface);
+        let (radius, stiffness) = (reader.optional(&RADIUS), reader.optional(&STIFFNESS));
+        let damping = reader.number_or(&DAMPING, 0.0);
+        let place = reader.place;
+        reader.finish();
+        let (beams, surfaces) = (beams?, surfaces?);
+        Some(Self { name: name.to_owned(), place, beams, surfaces, radius, stiffness, damping })
+    }
+
+    /// The contacts of the system that it stands for: each surface of each beam.
+    pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.beams.iter().flat_map(|beam| self.surfaces.iter().map(|surface| (*beam, *surface)))
+    }
+}
