@@ -3,11 +3,13 @@
 //! A contact is one surface and the elements of one beam that may touch it. Sums over a system are in
 //! `system/contacts.rs`.
 
+pub mod grip;
 pub mod law;
 pub mod pieces;
 pub mod shape;
 pub mod touch;
 
+use self::grip::Friction;
 use self::law::Law;
 use self::pieces::Lying;
 use self::shape::Shape;
@@ -43,6 +45,8 @@ pub struct Contact {
     pub radius: f64,
     /// Its normal force.
     pub law: Law,
+    /// Its friction; none: it is smooth.
+    pub friction: Option<Friction>,
 }
 
 impl Contact {

@@ -33,6 +33,14 @@ pub struct Arms {
 pub struct Touch {
     /// Place in the element, 0 to 1.
     pub xi: f64,
+    /// The cell of the element.
+    pub cell: usize,
+    /// Length that it stands for, m.
+    pub length: f64,
+    /// Size of the normal force, N.
+    pub pressing: f64,
+    /// Its derivative with respect to `y'`, over a step at its end, N/m.
+    pub by_place: Vec3,
     /// Weights of the element's places and slopes.
     pub weights: [f64; 4],
     /// Force on the beam in the axes of the carrier, N.
@@ -72,14 +80,19 @@ impl Contact {
             return;
         }
         let (shape, radius, (seat, axes)) = (&self.surface.shape, self.radius, self.seat());
-        each_point(shape, radius, [start, end], |_, xi, share| {
+        each_point(shape, radius, [start, end], |cell, xi, share| {
             let places = lying.map(|own| own.place(xi));
             let penetrations = places.map(|place| radius - shape.distance(&place));
             let Pressure { force, slope, elastic } = self.law.over(penetrations, step.duration);
             let secant = shape.secant(&places[0], &places[1]);
-            let by_end = secant.direction * shape.normal(&places[1]).transpose() * slope - secant.by_end * force;
+            let normal = shape.normal(&places[1]);
+            let by_end = secant.direction * normal.transpose() * slope - secant.by_end * force;
             take(&Touch {
                 xi,
+                cell,
+                length: share,
+                pressing: share * force,
+                by_place: axes * normal * (-share * slope),
                 weights: hermite::shape(xi, element.length()),
                 force: axes * secant.direction * (share * force),
                 stiffness: axes * by_end * axes.transpose() * (2.0 * share),
@@ -105,7 +118,7 @@ impl Contact {
             return;
         }
         let (shape, radius, (seat, axes)) = (&self.surface.shape, self.radius, self.seat());
-        each_point(shape, radius, [&lying, &lying], |_, xi, share| {
+        each_point(shape, radius, [&lying, &lying], |cell, xi, share| {
             let place = lying.place(xi);
             let penetration = radius - shape.distance(&place);
             let (weights, normal) = (hermite::shape(xi, element.length()), shape.normal(&place));
@@ -119,6 +132,10 @@ impl Contact {
             let by_place = normal * normal.transpose() * (slope + by_rate) - shape.normal_by_place(&place) * force;
             take(&Touch {
                 xi,
+                cell,
+                length: share,
+                pressing: share * force,
+                by_place: axes * normal * (-share * (slope + by_rate)),
                 weights,
                 force: axes * normal * (share * force),
                 stiffness: axes * by_place * axes.transpose() * share,
@@ -164,7 +181,7 @@ impl Contact {
 }
 
 impl Arms {
-    fn over(carriers: [Pose; 2], places: [Vec3; 2]) -> Self {
+    pub(super) fn over(carriers: [Pose; 2], places: [Vec3; 2]) -> Self {
         let [start, end] = [0, 1].map(|number| carriers[number].axes * places[number]);
         Self {
             axes: (carriers[0].axes + carriers[1].axes) * 0.5,
@@ -174,7 +191,7 @@ impl Arms {
         }
     }
 
-    fn at(carrier: Pose, place: Vec3) -> Self {
+    pub(super) fn at(carrier: Pose, place: Vec3) -> Self {
         let arm = carrier.axes * place;
         Self { axes: carrier.axes, arm, end_axes: carrier.axes, end_arm: arm }
     }

@@ -12,12 +12,25 @@ pub struct Configuration<'a> {
     pub beams: BeamConfiguration<'a>,
     /// Values of all relative coordinates at the last accepted state: angles go on from there.
     pub relative_values: &'a [f64],
+    /// All coordinates and what was prescribed at the last accepted state.
+    pub accepted: (&'a [f64], &'a Prescribed),
     /// What forces remember since the last accepted state.
     pub memory: &'a [f64],
     /// What drives and moving frames prescribe.
     pub prescribed: &'a Prescribed,
     /// All nodes and elements.
     pub mesh: &'a Mesh,
+}
+
+impl Configuration<'_> {
+    /// The last accepted state, of which places alone are known: no frames.
+    pub fn accepted(&self) -> Self {
+        let (q, prescribed) = self.accepted;
+        let BeamConfiguration { holonomy, .. } = self.beams;
+        let beams =
+            BeamConfiguration { q, frames: &[], holonomy, heats: &prescribed.heats, drives: &prescribed.drives };
+        Self { beams, prescribed, ..*self }
+    }
 }
 
 /// How the system passes through the configuration in which its forces are taken.

@@ -23,6 +23,7 @@ use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::rigidity;
 use crate::mechanics::constraint::weld;
 use crate::mechanics::contact::Contact;
+use crate::mechanics::contact::grip::REMEMBERED;
 use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::load::{Load, Site};
 use crate::mechanics::force::spring::Spring;
@@ -376,7 +377,11 @@ impl SystemBuilder {
     }
 
     /// Adds a contact.
-    pub fn add_contact(&mut self, contact: Contact) {
+    pub fn add_contact(&mut self, mut contact: Contact) {
+        if let Some(friction) = &mut contact.friction {
+            friction.memory = self.memory;
+            self.memory += REMEMBERED * contact.elements.len();
+        }
         self.system.contacts.push(contact);
     }
 
@@ -414,6 +419,7 @@ impl SystemBuilder {
         Configuration {
             beams: BeamConfiguration { q: &self.q, frames, holonomy, heats: &self.prescribed.heats, drives: &[] },
             relative_values: &[],
+            accepted: (&self.q, &self.prescribed),
             memory: &[],
             prescribed: &self.prescribed,
             mesh: &self.system.mesh,

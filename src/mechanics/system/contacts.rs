@@ -7,14 +7,15 @@ use crate::math::blocks::Blocks;
 use crate::math::vectors::add_vec3;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, SHAPE_PLACES};
-use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::contact::Contact;
+use crate::mechanics::contact::grip::{Cells, Grip, Pressing, REMEMBERED};
 use crate::mechanics::contact::touch::Touch;
 use crate::mechanics::geometry::pose::axis_place;
 use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::state::State;
+use nalgebra::SMatrix;
 
 /// What contact does over a step, J.
 #[derive(Clone, Copy, Debug, Default)]
@@ -44,7 +45,19 @@ impl System {
 
     /// Adds the forces of contact, internal minus external, at `c` as `passage` says.
     #[inline(never)]
-    pub(super) fn add_contact_forces(&self, c: &Configuration, passage: &Passage, factor: f64, forces: &mut [f64]) {
+    pub(super) fn add_contact_forces(&self, c: &Configuration, passage: &Passage, forces: &mut [f64]) {
+        for (contact, number, element) in self.contact_elements() {
+            let (start, body, mut cells) = (element.coordinates().start, contact.body(), Cells::default());
+            contact.each_touch(element, c, passage, |touch| {
+                Pressing::add(&mut cells, touch);
+                add_force(touch, start, body, 1.0, forces);
+            });
+            contact.each_grip(number, element, c, passage, &cells, |grip| add_friction(grip, start, body, forces));
+        }
+    }
+
+    /// Adds `factor` times the normal forces alone.
+    pub(super) fn add_normal_forces(&self, c: &Configuration, passage: &Passage, factor: f64, forces: &mut [f64]) {
         for (contact, _, element) in self.contact_elements() {
             let (start, body) = (element.coordinates().start, contact.body());
             contact.each_touch(element, c, passage, |touch| add_force(touch, start, body, factor, forces));
@@ -57,19 +70,35 @@ impl System {
     pub(super) fn set_contact_tangent(&self, c: &Configuration, passage: &Passage, scale: f64, tangent: &mut Blocks) {
         let layout = TangentLayout::of(self);
         let mut pairs = layout.contact_pairs();
+        // Derivatives of friction are those by the end, normal forces have them twice already.
+        let twice = if matches!(passage, Passage::Step(_)) { 2.0 } else { 1.0 };
         for (contact, number, element) in self.contact_elements() {
             let Some(start) = contact.body() else {
-                let block = tangent.block_mut(layout.element(number));
-                contact.each_touch(element, c, passage, |touch| add_to_element(touch, scale, block));
+                let (block, mut cells) = (tangent.block_mut(layout.element(number)), Cells::default());
+                contact.each_touch(element, c, passage, |touch| {
+                    Pressing::add(&mut cells, touch);
+                    add_to_element(touch, scale, block);
+                });
+                contact.each_grip(number, element, c, passage, &cells, |grip| {
+                    add_product(&grip.by_element, &grip.by_end(), scale * twice, block);
+                });
                 continue;
             };
-            let [mut of_element, mut of_body] = [[0.0; ELEMENT * ELEMENT], [0.0; ELEMENT * ELEMENT]];
+            let (mut of_element, mut of_body) = ([0.0; ELEMENT * ELEMENT], [0.0; BODY * BODY]);
             let [mut by_body, mut by_element] = [[0.0; ELEMENT * BODY], [0.0; ELEMENT * BODY]];
-            let mut touches = false;
+            let (mut touches, mut cells) = (false, Cells::default());
             contact.each_touch(element, c, passage, |touch| {
                 touches = true;
+                Pressing::add(&mut cells, touch);
                 add_to_element(touch, scale, &mut of_element);
                 add_with_body(touch, scale, &mut by_body, &mut by_element, &mut of_body);
+            });
+            contact.each_grip(number, element, c, passage, &cells, |grip| {
+                let (by_end, by_body_end, factor) = (grip.by_end(), grip.by_body_end(), scale * twice);
+                add_product(&grip.by_element, &by_end, factor, &mut of_element);
+                add_product(&grip.by_element, &by_body_end, factor, &mut by_body);
+                add_product(&grip.by_body, &by_end, factor, &mut by_element);
+                add_product(&grip.by_body, &by_body_end, factor, &mut of_body);
             });
             for own in [&by_body, &by_element] {
                 let block = pairs.next().expect("a contact with a body has two blocks an element");
@@ -100,19 +129,41 @@ impl System {
         if self.contacts.is_empty() {
             return found;
         }
-        self.add_contact_forces(c, &Passage::Step(*step), 1.0, forces);
+        let passage = Passage::Step(*step);
+        self.add_contact_forces(c, &passage, forces);
         found.elastic = self.contact_energy(step.end);
-        for (contact, _, element) in self.contact_elements() {
+        for (contact, number, element) in self.contact_elements() {
+            let mut cells = Cells::default();
             let [start, end] = [step.start, step.end].map(|c| contact.carrier(c));
             let moves = contact.body().is_none() && start != end;
-            contact.each_touch(element, c, &Passage::Step(*step), |touch| {
+            contact.each_touch(element, c, &passage, |touch| {
+                Pressing::add(&mut cells, touch);
                 found.dissipated += touch.dissipated;
                 if moves {
                     found.by_frames -= touch.work_on_carrier(&(end.place - start.place), &(end.axes - start.axes));
                 }
             });
+            contact.each_grip(number, element, c, &passage, &cells, |grip| {
+                found.dissipated += grip.force.dot(&grip.slip);
+                found.by_frames += grip.force.dot(&grip.by_frame);
+            });
         }
         found
+    }
+
+    /// Sets what cells remember at the end of what `passage` says.
+    pub(super) fn remember_grips(&self, c: &Configuration, passage: &Passage, memory: &mut [f64]) {
+        for (contact, number, element) in self.contact_elements() {
+            let Some(friction) = contact.friction else { continue };
+            let first = friction.memory + REMEMBERED * (number - contact.elements.start);
+            let mut cells = Cells::default();
+            contact.each_touch(element, c, passage, |touch| Pressing::add(&mut cells, touch));
+            // What does not touch remembers nothing.
+            memory[first..first + REMEMBERED].fill(0.0);
+            contact.each_grip(number, element, c, passage, &cells, |grip| {
+                memory[first + 3 * grip.cell..][..3].copy_from_slice(grip.displaced.as_slice());
+            });
+        }
     }
 
     /// Power of moving frames through contacts at the instant `c`, W.
@@ -135,9 +186,7 @@ impl System {
         if self.contacts.is_empty() {
             return Ok(());
         }
-        // Places alone count: no frames.
-        let beams = BeamConfiguration { q: &state.q, frames: &[], ..c.beams };
-        let before = Configuration { beams, prescribed: &state.prescribed, ..*c };
+        let before = Configuration { accepted: (&state.q, &state.prescribed), ..*c }.accepted();
         let found = self.contact_elements().find(|(own, _, element)| own.is_run_through(element, [&before, c]));
         let Some((contact, number, _)) = found else { return Ok(()) };
         let (beam, place) = self.beam_of(number);
@@ -172,6 +221,28 @@ fn add_force(touch: &Touch, start: usize, body: Option<usize>, factor: f64, forc
     for director in 0..3 {
         add_vec3(forces, body + axis_place(director), &(touch.arms.arm * (factor * touch.force[director])));
     }
+}
+
+/// Adds the internal force of friction of the element whose coordinates begin at `start`, and of the body.
+fn add_friction(grip: &Grip, start: usize, body: Option<usize>, forces: &mut [f64]) {
+    let mut add = |first: usize, own: &[f64]| {
+        forces[first..first + own.len()].iter_mut().zip(own).for_each(|(sum, value)| *sum += value);
+    };
+    add(start, grip.by_element.tr_mul(&grip.force).as_slice());
+    if let Some(body) = body {
+        add(body, grip.by_body.tr_mul(&grip.force).as_slice());
+    }
+}
+
+/// Adds `factor` times `rowsᵀ columns` to a column-major block.
+fn add_product<const ROWS: usize, const COLUMNS: usize>(
+    rows: &SMatrix<f64, 3, ROWS>,
+    columns: &SMatrix<f64, 3, COLUMNS>,
+    factor: f64,
+    block: &mut [f64],
+) {
+    let product = rows.tr_mul(columns);
+    block.iter_mut().zip(product.as_slice()).for_each(|(sum, value)| *sum += factor * value);
 }
 
 /// Adds `scale` times `∂f/∂X` of the element to its block.

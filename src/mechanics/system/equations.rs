@@ -65,7 +65,7 @@ impl System {
             self.add_material_damping(c, velocity, *strain_rates, forces);
         }
         self.add_springs(c, passage, forces);
-        self.add_contact_forces(c, passage, 1.0, forces);
+        self.add_contact_forces(c, passage, forces);
     }
 
     /// [`Self::forces`], and sets the first blocks of `tangent` to `scale` times their derivative by `q` (over a step:
@@ -97,7 +97,7 @@ impl System {
         self.add_springs(c, passage, forces);
         self.set_spring_tangent(c, passage, scale, tangent);
         self.set_effort_tangent(c, passage, excitation, scale, tangent);
-        self.add_contact_forces(c, passage, 1.0, forces);
+        self.add_contact_forces(c, passage, forces);
         self.set_contact_tangent(c, passage, scale, tangent);
     }
 

@@ -88,9 +88,9 @@ impl System {
             // Without damping, whose rates the middle of the time does not know.
             Sight::Step(step) => {
                 let passage = Passage::Step(TimeStep { duration: f64::INFINITY, ..*step });
-                self.add_contact_forces(c, &passage, factor, forces);
+                self.add_normal_forces(c, &passage, factor, forces);
             }
-            Sight::Middle(_) => self.add_contact_forces(c, &Passage::Rest, factor, forces),
+            Sight::Middle(_) => self.add_normal_forces(c, &Passage::Rest, factor, forces),
         }
         let mut take = |marker: &Marker, part: &MarkerVector, factor: f64| {
             let range = marker.coordinates(&self.mesh);

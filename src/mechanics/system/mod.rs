@@ -282,6 +282,7 @@ impl System {
                 drives: &prescribed.drives,
             },
             relative_values,
+            accepted: (&state.q, &state.prescribed),
             memory: &state.lists.memory,
             prescribed,
             mesh: &self.mesh,

@@ -2,40 +2,75 @@
 
 use super::System;
 use super::frame_cache::FrameCache;
+use crate::mechanics::contact::grip::REMEMBERED;
 use crate::mechanics::force::law::Law;
+use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::State;
 
 /// Share of the elastic way of dry friction within which its force is taken for linear.
 const SMOOTH_SHARE: f64 = 1e-3;
+/// Penetration of a contact over the radius of its surface, or over the size of the system.
+const PRESSED: f64 = 1e-4;
 
 impl System {
-    /// Ends a step or an increment at the coordinates and the prescribed motion in `state`: forces remember what has
-    /// changed, and references follow. `frames` belong to `state.q`.
-    pub fn arrive(&self, state: &mut State, frames: &FrameCache) {
+    /// Ends a step or an increment from `state` at the coordinates `q`, whose frames are `frames`, with what is
+    /// `prescribed` there: forces remember what has changed, and references follow. `over` is the middle of a step and
+    /// the step itself; none: of an increment.
+    pub fn arrive(
+        &self,
+        state: &mut State,
+        (q, frames, prescribed): (&[f64], &FrameCache, &Prescribed),
+        over: Option<(&Configuration, &Passage)>,
+    ) {
         if !state.memory.is_empty() {
             // Out of the state while the configuration looks at the rest of it.
             let mut memory = std::mem::take(&mut state.lists.memory);
-            let configuration = self.configuration(&state.q, frames, state, &state.prescribed);
+            let end = self.configuration(q, frames, state, prescribed);
             for spring in &self.springs {
                 if let (Some(place), Some(dry)) = (spring.memory, spring.law.as_ref().and_then(Law::dry)) {
-                    let way = spring.way(&self.relative_coordinates[spring.coordinate], &configuration);
+                    let way = spring.way(&self.relative_coordinates[spring.coordinate], &end);
                     memory[place] = dry.displaced(memory[place], way);
                 }
             }
+            match over {
+                Some((middle, passage)) => self.remember_grips(middle, passage, &mut memory),
+                None if self.has_contact_friction() => {
+                    let before = memory.clone();
+                    let end = Configuration { memory: &before, ..end };
+                    self.remember_grips(&end, &Passage::Rest, &mut memory);
+                }
+                None => {}
+            }
             state.lists.memory = memory;
         }
+        state.q.copy_from_slice(q);
+        state.prescribed.copy_from(prescribed);
         self.carry_references(state, frames);
     }
 
     /// The names of the forces that remember, in the order of the memory of a state.
-    pub fn memories(&self) -> impl Iterator<Item = &str> {
-        self.springs.iter().filter(|spring| spring.memory.is_some()).map(|spring| spring.name.as_str())
+    pub fn memories(&self) -> impl Iterator<Item = String> + '_ {
+        let springs = self.springs.iter().filter(|spring| spring.memory.is_some()).map(|spring| spring.name.clone());
+        // A mesh of its own has cells of its own.
+        let contacts = self.contacts.iter().filter(|contact| contact.friction.is_some()).flat_map(|contact| {
+            let (count, beam) = (contact.elements.len(), &self.beam_of(contact.elements.start).0.name);
+            let of_cell = move |number| format!("{} {beam} {} {count} {number}", contact.name, contact.surface.name);
+            (0..count * REMEMBERED).map(of_cell)
+        });
+        springs.chain(contacts)
+    }
+
+    /// Whether contacts have friction.
+    pub fn has_contact_friction(&self) -> bool {
+        self.contacts.iter().any(|contact| contact.friction.is_some())
     }
 
     /// Whether there is dry friction.
     pub fn has_dry_friction(&self) -> bool {
-        self.springs.iter().filter_map(|spring| spring.law.as_ref()).any(|law| law.coulomb() != 0.0)
+        self.contacts.iter().any(|contact| contact.friction.is_some_and(|own| own.coefficient != 0.0))
+            || self.springs.iter().filter_map(|spring| spring.law.as_ref()).any(|law| law.coulomb() != 0.0)
     }
 
     /// Changes of coordinates up to `largest`, over the system's size or rad, of which forces are smooth functions: dry
@@ -47,13 +82,20 @@ impl System {
             let is_angle = matches!(measure, Measure::Angle(_) | Measure::Rotation(_));
             Some(if is_angle { dry.largest } else { dry.largest / self.size })
         });
-        ways.fold(largest, |reach, way| reach.min(SMOOTH_SHARE * way))
+        let contacts = self.contacts.iter().filter_map(|contact| {
+            let friction = contact.friction.filter(|own| own.coefficient > 0.0)?;
+            // Nobody knows yet how far it will be pressed in.
+            let pressed = PRESSED * contact.surface.shape.radius().min(self.size);
+            Some(friction.coefficient * contact.law.stiffness / friction.stiffness * pressed / self.size)
+        });
+        ways.chain(contacts).fold(largest, |reach, way| reach.min(SMOOTH_SHARE * way))
     }
 
     /// The system with the dry part of its friction taken off.
     #[must_use]
     pub fn without_dry_friction(&self) -> Self {
         let mut own = self.clone();
+        own.contacts.iter_mut().filter_map(|contact| contact.friction.as_mut()).for_each(|own| own.coefficient = 0.0);
         own.springs.iter_mut().filter_map(|spring| spring.law.as_mut()).for_each(Law::take_dry_friction_off);
         own
     }

@@ -1,6 +1,7 @@
 //! Contacts of the file as parts of the system.
 
 use super::{Builder, vector};
+use crate::mechanics::contact::grip::Friction;
 use crate::mechanics::contact::law::Law;
 use crate::mechanics::contact::shape::Shape;
 use crate::mechanics::contact::{Contact, Surface};
@@ -24,7 +25,9 @@ impl Builder<'_> {
             let elements = self.system.elements_of(beam);
             let radius = radius(self.document, written, beam);
             let law = law(self.document, written, beam, &surface.shape);
-            self.system.add_contact(Contact { name: written.name.clone(), surface, elements, radius, law });
+            let friction = friction(self.document, written, &law, 0);
+            let name = written.name.clone();
+            self.system.add_contact(Contact { name, surface, elements, radius, law, friction });
         }
     }
 
@@ -82,10 +85,18 @@ fn law(document: &Document, written: &ContactSpec, beam: usize, shape: &Shape) -
     Law { stiffness, damping: document.value(written.damping) }
 }
 
-/// Sets the stiffness and damping of contacts to those of now.
+/// The friction of a contact with the normal force `law`; `memory` is the first number that it remembers.
+fn friction(document: &Document, written: &ContactSpec, law: &Law, memory: usize) -> Option<Friction> {
+    let stiffness = written.friction_stiffness.map_or(law.stiffness, |stiffness| document.value(stiffness));
+    written.friction.map(|number| Friction { coefficient: document.value(number), stiffness, memory })
+}
+
+/// Sets stiffness, damping and friction of contacts to those of now.
 pub(super) fn retune(document: &Document, system: &mut System) {
     let pairs = document.contacts.iter().flat_map(|written| written.pairs().map(move |pair| (written, pair)));
     for (contact, (written, (beam, _))) in system.contacts.iter_mut().zip(pairs) {
         contact.law = law(document, written, beam, &contact.surface.shape);
+        let memory = contact.friction.map_or(0, |own| own.memory);
+        contact.friction = friction(document, written, &contact.law, memory);
     }
 }

@@ -352,13 +352,11 @@ impl Scratch {
         for (multiplier, scaled) in state.multipliers.iter_mut().zip(&self.scaled_multipliers) {
             *multiplier = scaled * acceleration_by_q;
         }
-        state.q.copy_from_slice(&self.q);
         state.velocity.copy_from_slice(&self.velocity);
         state.momentum.copy_from_slice(&self.momentum);
         state.lists.acceleration.copy_from_slice(&self.acceleration);
         state.lists.algorithmic_acceleration.copy_from_slice(&self.algorithmic);
-        state.prescribed.copy_from(&self.prescribed);
-        system.arrive(state, &self.frames);
+        system.arrive(state, (&self.q, &self.frames, &self.prescribed), None);
         state.time = end;
         state.statistics.steps += 1;
     }

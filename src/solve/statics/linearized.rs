@@ -61,9 +61,8 @@ impl Linearized for Statics {
     fn conclude(&mut self, system: &System, state: &State, _span: Span, unknowns: &[f64], next: &mut State) {
         let (q, multipliers) = unknowns.split_at(state.q.len());
         next.clone_from(state);
-        next.q.copy_from_slice(q);
         next.multipliers.copy_from_slice(multipliers);
-        self.scratch.frames.set(system, &next.q, &next.triads);
-        system.arrive(next, &self.scratch.frames);
+        self.scratch.frames.set(system, q, &next.triads);
+        system.arrive(next, (q, &self.scratch.frames, &state.prescribed), None);
     }
 }

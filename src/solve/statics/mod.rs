@@ -435,10 +435,8 @@ impl Statics {
         let configuration = scratch.frames.at(system, &scratch.q, state, &self.current_motion);
         system.check_twist_change(&before, &configuration, time)?;
         system.check(&configuration, state, LARGEST_TURN, time)?;
-        state.q.copy_from_slice(&scratch.q);
         state.multipliers.copy_from_slice(&scratch.multipliers);
-        state.prescribed.copy_from(&self.current_motion);
-        system.arrive(state, &scratch.frames);
+        system.arrive(state, (&scratch.q, &scratch.frames, &self.current_motion), None);
         Ok(())
     }
 }

@@ -116,10 +116,8 @@ impl Statics {
         if system.check(&configuration, state, LARGEST_TURN, time).is_err() {
             return false;
         }
-        state.q.copy_from_slice(&scratch.q);
         state.multipliers.copy_from_slice(&scratch.multipliers);
-        state.prescribed.copy_from(&self.current_motion);
-        system.arrive(state, &scratch.frames);
+        system.arrive(state, (&scratch.q, &scratch.frames, &self.current_motion), None);
         true
     }
 }

@@ -96,6 +96,7 @@ impl Machine {
                 drives: &[],
             },
             relative_values: &[0.0],
+            accepted: (self.q.as_slice(), &self.prescribed),
             memory: &[],
             prescribed: &self.prescribed,
             mesh: &self.mesh,

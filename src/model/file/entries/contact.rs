@@ -14,6 +14,8 @@ pub(super) const KEYS: &[Key] = &[
     Key::number(&[&RADIUS]),
     Key::number(&[&STIFFNESS]),
     Key::number(&[&DAMPING]),
+    Key::number(&[&FRICTION]),
+    Key::number(&[&FRICTION_STIFFNESS]),
 ];
 
 const RADIUS: Rule = Rule::new(
@@ -28,6 +30,14 @@ const STIFFNESS: Rule =
         .tunable();
 const DAMPING: Rule =
     Rule::new("damping", "share of the elastic force per rate of penetration", "s/m").from(0.0).tunable();
+const FRICTION: Rule = Rule::new("friction", "coefficient of dry friction", "").from(0.0).tunable();
+const FRICTION_STIFFNESS: Rule = Rule::new(
+    "friction_stiffness",
+    "force per length and displacement while both sides stick; by default `stiffness`",
+    "N/m2",
+)
+.above(0.0)
+.tunable();
 
 /// A section `[contact.NAME]`.
 #[derive(Clone, Debug)]
@@ -46,6 +56,10 @@ pub struct ContactSpec {
     pub stiffness: Option<Number>,
     /// By how much the force is larger for each unit of the rate of the penetration, s/m.
     pub damping: Number,
+    /// Coefficient of dry friction; none: it is smooth.
+    pub friction: Option<Number>,
+    /// Force per length and displacement while both sides stick, N/m²; none: the stiffness.
+    pub friction_stiffness: Option<Number>,
 }
 
 impl ContactSpec {
@@ -54,10 +68,21 @@ impl ContactSpec {
         let surfaces = reader.references("with", Kind::Surface);
         let (radius, stiffness) = (reader.optional(&RADIUS), reader.optional(&STIFFNESS));
         let damping = reader.number_or(&DAMPING, 0.0);
+        let (friction, friction_stiffness) = (reader.optional(&FRICTION), reader.optional(&FRICTION_STIFFNESS));
         let place = reader.place;
         reader.finish();
         let (beams, surfaces) = (beams?, surfaces?);
-        Some(Self { name: name.to_owned(), place, beams, surfaces, radius, stiffness, damping })
+        Some(Self {
+            name: name.to_owned(),
+            place,
+            beams,
+            surfaces,
+            radius,
+            stiffness,
+            damping,
+            friction,
+            friction_stiffness,
+        })
     }
 
     /// The contacts of the system that it stands for: each surface of each beam.

@@ -157,7 +157,7 @@ impl Simulation {
                 .map(|sensor| format!("{:?} {:?} {:?}", sensor.marker.bare(), sensor.on_beam, sensor.observer))
                 .collect(),
             switches: system.switches.iter().map(|switch| switch.name.clone()).collect(),
-            memories: system.memories().map(str::to_owned).collect(),
+            memories: system.memories().collect(),
         }
     }
 

@@ -147,7 +147,7 @@ impl Integrator for Midpoint {
             }
         };
         let energy_before = self.scratch.energies(system, state);
-        let work = found.work + self.scratch.finish(system, &mut next, span);
+        let work = found.work + self.scratch.finish(system, state, &mut next, span);
         let account = state.balance.account.map(|account| {
             let begin = account.energy.unwrap_or_else(|| self.scratch.whole_energy(system, state));
             (self.scratch.work(system, state, dissipation, span, &next), begin)
@@ -426,7 +426,7 @@ impl Linearized for Midpoint {
         let dissipation = self.dissipation(state, span.step);
         self.scratch.evaluate(system, state, dissipation, span, next);
         constraint_forces(&mut self.scratch);
-        self.scratch.finish(system, next, span);
+        self.scratch.finish(system, state, next, span);
         if next.balance.account.is_some() {
             let work = self.scratch.work(system, state, dissipation, span, next);
             next.balance.account.iter_mut().for_each(|account| account.work.add(&work, 1.0));

@@ -266,27 +266,44 @@ impl Scratch {
         found
     }
 
-    /// Writes the end of the converged step, whose forces are known, into `state`, a copy of the state at its start:
+    /// Moves `next`, a copy of `state` at the start of the converged step of `step` s, to its end.
+    fn arrive(&self, system: &System, state: &State, next: &mut State, step: f64) {
+        let end = (&*self.q_end, &self.frames_end, &self.prescribed_end);
+        if !system.has_contact_friction() {
+            return system.arrive(next, end, None);
+        }
+        let [from, middle, to] = configurations(
+            system,
+            state.into(),
+            [&self.q_middle, &self.q_end],
+            [&self.frames_start, &self.frames_middle, &self.frames_end],
+            [&self.prescribed_middle, &self.prescribed_end],
+        );
+        let known = (&*self.predicted_rates, &self.starts);
+        let over = time_step(state.into(), [&from, &to], &self.increment, known, step, Dissipation::default());
+        system.arrive(next, end, Some((&middle, &Passage::Step(over))));
+    }
+
+    /// Writes the end of the converged step, whose forces are known, into `next`, a copy of `state`
+    /// at its start:
     /// momentum (7.4), change of charts (7.5), references (2.6). Returns the work of drives and moving frames over the
     /// step, J.
-    pub fn finish(&mut self, system: &System, state: &mut State, Span { step, end }: Span) -> f64 {
+    pub fn finish(&mut self, system: &System, state: &State, next: &mut State, Span { step, end }: Span) -> f64 {
         // P⁻ = M Dq/h − h/2 f (7.4) with f taken from (7.1): round-off of the stiff f, h²K/M times that of Dq, stays
         // out of it, and so does h²K/M times what Newton leaves.
-        for (momentum, mass_increment) in state.momentum.iter_mut().zip(&self.mass_increment) {
+        for (momentum, mass_increment) in next.momentum.iter_mut().zip(&self.mass_increment) {
             *momentum = 2.0 * mass_increment / step - *momentum;
         }
         let frames = [&self.frames_start, &self.frames_middle, &self.frames_end];
-        gyroscopic::add_forces(system, frames, &self.mass_increment, &self.forces, step, -1.0, &mut state.momentum);
-        gyroscopic::change_charts(system, &self.frames_end, &mut state.momentum);
-        for (multiplier, impulse) in state.multipliers.iter_mut().zip(&self.impulses) {
+        gyroscopic::add_forces(system, frames, &self.mass_increment, &self.forces, step, -1.0, &mut next.momentum);
+        gyroscopic::change_charts(system, &self.frames_end, &mut next.momentum);
+        for (multiplier, impulse) in next.multipliers.iter_mut().zip(&self.impulses) {
             *multiplier = 2.0 * impulse / step;
         }
-        state.q.copy_from_slice(&self.q_end);
-        state.prescribed.copy_from(&self.prescribed_end);
-        system.arrive(state, &self.frames_end);
-        state.time = end;
-        state.statistics.steps += 1;
-        system.driven_work(&self.gradients_middle, &state.multipliers, &self.increment)
+        self.arrive(system, state, next, step);
+        next.time = end;
+        next.statistics.steps += 1;
+        system.driven_work(&self.gradients_middle, &next.multipliers, &self.increment)
     }
 }
 

@@ -1,0 +1,320 @@
+//! Friction of a contact: an elastic sticking displacement in each cell of an element, up to the limit at which the
+//! surfaces slide (MECHANICS 7.6).
+//!
+//! A cell has one force, at the center of its pressure. What it remembers is the displacement in the axes of the
+//! carrier. Both surfaces slip by `Δs = P (Δy' + r n × Δφ)`: the surface of the beam is its radius away from its axis and
+//! turns with its section, so that friction turns the section too. A step takes the force half a step behind its end,
+//! as dry friction of joints does.
+
+use super::Contact;
+use super::pieces::CELLS;
+use super::touch::{Arms, Touch};
+use crate::math::{Mat3, Vec3, hermite};
+use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, SHAPE_PLACES};
+use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::body::kinematics::{self, BODY};
+use crate::mechanics::geometry::pose::{Pose, angular_velocity, axis_place};
+use crate::mechanics::marker::configuration::{Configuration, Passage};
+use nalgebra::SMatrix;
+
+/// Numbers that an element remembers: a displacement for each of its cells.
+pub const REMEMBERED: usize = 3 * CELLS;
+
+/// Dry friction of a contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction {
+    /// Force over pressure while the surfaces slide, 1.
+    pub coefficient: f64,
+    /// Force per length and displacement while they stick, N/m².
+    pub stiffness: f64,
+    /// The first number that it remembers.
+    pub memory: usize,
+}
+
+/// What presses in a cell.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Pressing {
+    /// Force, N.
+    force: f64,
+    /// The force times the place where it acts, N.
+    moment: f64,
+    /// Length on which it acts, m.
+    length: f64,
+    /// Derivative of the force with respect to `y'`, over a step at its end, N/m.
+    by_place: Vec3,
+}
+
+/// What presses in each cell of an element.
+pub type Cells = [Pressing; CELLS];
+
+impl Pressing {
+    /// Adds a point.
+    pub fn add(cells: &mut Cells, touch: &Touch) {
+        let own = &mut cells[touch.cell];
+        own.force += touch.pressing;
+        own.moment += touch.pressing * touch.xi;
+        own.length += touch.length;
+        own.by_place += touch.by_place;
+    }
+}
+
+/// A vector in the axes of the carrier by the coordinates of an element.
+pub type ByElement = SMatrix<f64, 3, ELEMENT>;
+/// The same by those of a body.
+pub type ByBody = SMatrix<f64, 3, BODY>;
+
+/// Friction of a cell.
+#[derive(Clone, Debug)]
+pub struct Grip {
+    /// The cell.
+    pub cell: usize,
+    /// Place in the element, 0 to 1.
+    pub xi: f64,
+    /// Friction in the axes of the carrier, against the slip, N.
+    pub force: Vec3,
+    /// Its derivative with respect to the slip, at the end of a step, N/m.
+    pub by_slip: Mat3,
+    /// Its derivative with respect to the force that presses, 1.
+    pub by_pressing: Vec3,
+    /// Derivative of that force with respect to `y'`, N/m.
+    pub pressing_by_place: Vec3,
+    /// How the slip depends on the coordinates of the element.
+    pub by_element: ByElement,
+    /// How `y'` does.
+    pub place_by_element: ByElement,
+    /// How the slip depends on the coordinates of the body that carries the surface.
+    pub by_body: ByBody,
+    /// How `y'` does.
+    pub place_by_body: ByBody,
+    /// Slip since the last accepted state, m.
+    pub slip: Vec3,
+    /// The part of it by moving frames, m.
+    pub by_frame: Vec3,
+    /// The displacement after it, m.
+    pub displaced: Vec3,
+    /// Whether the surfaces slide.
+    pub slides: bool,
+    /// Axes of the carrier, for the force in space.
+    pub axes: Mat3,
+    /// From the axis of the beam to where the surfaces touch, in the axes of the carrier, m.
+    pub lever: Vec3,
+}
+
+/// A vector that is cut off at `limit`, with its derivatives with respect to the vector and to the limit.
+fn cut(vector: &Vec3, limit: f64) -> (Vec3, Mat3, Vec3) {
+    let size = vector.norm();
+    if size <= limit || size == 0.0 {
+        return (*vector, Mat3::identity(), Vec3::zeros());
+    }
+    let along = vector / size;
+    let across = Mat3::identity() - along * along.transpose();
+    (along * limit, across * (limit / size), along)
+}
+
+impl Contact {
+    /// Calls `take` with the friction of each cell of `element` in which something presses, `cells`; `first` is the
+    /// first element of the contact.
+    pub fn each_grip(
+        &self,
+        number: usize,
+        element: &AnyElement,
+        c: &Configuration,
+        passage: &Passage,
+        cells: &Cells,
+        mut take: impl FnMut(&Grip),
+    ) {
+        let Some(friction) = self.friction.filter(|own| own.coefficient > 0.0) else { return };
+        for (cell, pressing) in cells.iter().enumerate().filter(|(_, pressing)| pressing.force > 0.0) {
+            let first = friction.memory + REMEMBERED * (number - self.elements.start) + 3 * cell;
+            let before = Vec3::new(c.memory[first], c.memory[first + 1], c.memory[first + 2]);
+            take(&self.grip(friction, (cell, pressing, before), element, c, passage));
+        }
+    }
+
+    fn grip(
+        &self,
+        friction: Friction,
+        (cell, pressing, before): (usize, &Pressing, Vec3),
+        element: &AnyElement,
+        c: &Configuration,
+        passage: &Passage,
+    ) -> Grip {
+        let xi = pressing.moment / pressing.force;
+        // Before and after: of a step its ends.
+        let earlier = c.accepted();
+        let ends = match passage {
+            Passage::Step(step) => [step.start, step.end],
+            _ => [&earlier, c],
+        };
+        let carriers = ends.map(|end| self.carrier(end));
+        let (seat, axes) = self.seat();
+        let places = [0, 1].map(|end| self.lying(element, &carriers[end], ends[end]).place(xi));
+        let whole = places.map(|place| seat + axes * place);
+        let arms = match passage {
+            Passage::Step(_) => Arms::over(carriers, whole),
+            _ => Arms::at(carriers[1], whole[1]),
+        };
+        let middle = (places[0] + places[1]) * 0.5;
+        let normal = axes * self.surface.shape.normal(&middle).normalize();
+        let across = Mat3::identity() - normal * normal.transpose();
+        // The surface of the beam is on the other side of its axis.
+        let lever = normal * -self.radius;
+        let rows = self.rows(element, c, xi, &arms, &across, &lever);
+        let q = [0, 1].map(|end| &ends[end].beams.q[element.coordinates()]);
+        let change = |number: usize| q[1][number] - q[0][number];
+        let turned = sum(&rows.turn_by_element, change);
+        let body = self.body();
+        let body_turn = match body {
+            Some(start) => {
+                sum(&rows.turn_by_body, |number| ends[1].beams.q[start + number] - ends[0].beams.q[start + number])
+            }
+            None => self.carrier_turn(&carriers, &arms),
+        };
+        let moved = whole[1] - whole[0];
+        let slip = across * (moved + (turned - body_turn).cross(&lever));
+        // Half a step ahead of the end, with the rate there.
+        let (rate, is_step) = match passage {
+            Passage::Step(step) => {
+                (self.slip_rate(&rows, element, ends[0], step.velocity, &arms, &lever, &across), true)
+            }
+            _ => (Vec3::zeros(), false),
+        };
+        let stiffness = friction.stiffness * pressing.length;
+        let limit = friction.coefficient * pressing.force / stiffness;
+        let (displaced, first, first_by_limit) = cut(&(across * before + slip), limit);
+        let slides = first_by_limit != Vec3::zeros();
+        let mut force = displaced * stiffness;
+        let mut by_slip = first * across * stiffness;
+        let mut by_pressing = first_by_limit * friction.coefficient;
+        if let (true, Passage::Step(step)) = (is_step, passage) {
+            let beyond = displaced + slip - rate * (0.5 * step.duration);
+            let (ahead, second, second_by_limit) = cut(&beyond, limit);
+            force = ahead * stiffness;
+            by_slip = second * (first + Mat3::identity()) * across * stiffness;
+            by_pressing = (second * first_by_limit + second_by_limit) * friction.coefficient;
+        }
+        let by_frame = match body {
+            Some(_) => Vec3::zeros(),
+            None => across * (carrier_move(&carriers, &arms) - body_turn.cross(&lever)),
+        };
+        Grip {
+            cell,
+            xi,
+            force,
+            by_slip,
+            by_pressing,
+            pressing_by_place: pressing.by_place,
+            by_element: rows.by_element,
+            place_by_element: rows.place_by_element,
+            by_body: rows.by_body,
+            place_by_body: rows.place_by_body,
+            slip,
+            by_frame,
+            displaced,
+            slides,
+            axes: arms.axes,
+            lever,
+        }
+    }
+
+    /// How slip and place depend on coordinates.
+    fn rows(&self, element: &AnyElement, c: &Configuration, xi: f64, arms: &Arms, across: &Mat3, lever: &Vec3) -> Rows {
+        let weights = hermite::shape(xi, element.length());
+        let into = arms.axes.transpose();
+        let mut rows = Rows::default();
+        for (weight, start) in weights.iter().zip(SHAPE_PLACES) {
+            rows.place_by_element.fixed_columns_mut::<3>(start).copy_from(&(into * *weight));
+        }
+        if self.radius > 0.0 {
+            let turn_q = element.section_jacobian(&c.beams, xi).turn_q;
+            rows.turn_by_element = into * turn_q.fixed_columns::<ELEMENT>(0);
+        }
+        // (φ × lever) = −lever × φ.
+        let by_turn = -lever.cross_matrix();
+        rows.by_element = across * (rows.place_by_element + by_turn * rows.turn_by_element);
+        if let Some(start) = self.body() {
+            let directors = kinematics::pose(c.beams.q, start);
+            rows.place_by_body.fixed_columns_mut::<3>(0).copy_from(&-into);
+            for director in 0..3 {
+                let place = axis_place(director);
+                let mut turn = rows.turn_by_body.fixed_columns_mut::<3>(place);
+                turn.copy_from(&(into * directors.axis(director).cross_matrix() * 0.5));
+                let mut own = rows.place_by_body.fixed_rows_mut::<1>(director);
+                own.fixed_columns_mut::<3>(place).copy_from(&arms.arm.transpose());
+            }
+            rows.by_body = across * (rows.place_by_body - by_turn * rows.turn_by_body);
+        }
+        rows
+    }
+
+    /// Turn of a moving frame between two poses, in its axes, rad.
+    fn carrier_turn(&self, carriers: &[Pose; 2], arms: &Arms) -> Vec3 {
+        let mean = Pose { place: Vec3::zeros(), axes: arms.axes };
+        let change = Pose { place: Vec3::zeros(), axes: carriers[1].axes - carriers[0].axes };
+        arms.axes.tr_mul(&angular_velocity(&mean, &change))
+    }
+
+    /// Rate of the slip at the start of a step, m/s.
+    #[allow(clippy::too_many_arguments, reason = "what a grip is made of")]
+    fn slip_rate(
+        &self,
+        rows: &Rows,
+        element: &AnyElement,
+        start: &Configuration,
+        velocity: &[f64],
+        arms: &Arms,
+        lever: &Vec3,
+        across: &Mat3,
+    ) -> Vec3 {
+        let own = &velocity[element.coordinates()];
+        let of_element = sum(&rows.by_element, |number| own[number]);
+        match self.body() {
+            Some(body) => of_element + sum(&rows.by_body, |number| velocity[body + number]),
+            None => {
+                let moving = self.surface.marker.bare().pose_t(start)[0];
+                let carrier = self.carrier(start);
+                let turn = carrier.axes.tr_mul(&angular_velocity(&carrier, &moving));
+                let moved = -carrier.axes.tr_mul(&moving.place) + moving.axes.tr_mul(&arms.arm);
+                of_element + across * (moved - turn.cross(lever))
+            }
+        }
+    }
+}
+
+/// How slip, place and turn depend on coordinates, in the axes of the carrier.
+#[derive(Clone, Copy, Debug, Default)]
+struct Rows {
+    by_element: ByElement,
+    place_by_element: ByElement,
+    turn_by_element: ByElement,
+    by_body: ByBody,
+    place_by_body: ByBody,
+    turn_by_body: ByBody,
+}
+
+/// The part of `Δy'` by what the carrier moves, m.
+fn carrier_move(carriers: &[Pose; 2], arms: &Arms) -> Vec3 {
+    let axes = carriers[1].axes - carriers[0].axes;
+    axes.tr_mul(&arms.arm) - arms.axes.tr_mul(&(carriers[1].place - carriers[0].place))
+}
+
+fn sum<const COLUMNS: usize>(rows: &SMatrix<f64, 3, COLUMNS>, value: impl Fn(usize) -> f64) -> Vec3 {
+    (0..COLUMNS).fold(Vec3::zeros(), |sum, number| sum + rows.column(number) * value(number))
+}
+
+impl Grip {
+    /// Derivative of the friction with respect to the coordinates of the element at the end.
+    pub fn by_end(&self) -> ByElement {
+        self.by_slip * self.by_element + self.by_pressing * (self.pressing_by_place.transpose() * self.place_by_element)
+    }
+
+    /// The same with respect to the coordinates of the body.
+    pub fn by_body_end(&self) -> ByBody {
+        self.by_slip * self.by_body + self.by_pressing * (self.pressing_by_place.transpose() * self.place_by_body)
+    }
+
+    /// Friction on the beam at its axis, in global axes: force, N, and moment, N m.
+    pub fn in_space(&self) -> [Vec3; 2] {
+        [self.axes * -self.force, self.axes * -self.lever.cross(&self.force)]
+    }
+}
