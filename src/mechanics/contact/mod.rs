@@ -37,6 +37,8 @@ pub struct Surface {
 pub struct Contact {
     /// Name in the model file.
     pub name: String,
+    /// Its place among the contacts of the model file, of which each may be several here.
+    pub number: usize,
     /// The surface.
     pub surface: Surface,
     /// The elements that may touch it.

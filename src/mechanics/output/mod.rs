@@ -3,6 +3,7 @@
 
 pub mod beam_scale;
 pub mod clamped_end;
+pub mod contact_loads;
 pub mod fiber_strain;
 pub mod joint_loads;
 pub mod mesh_error;

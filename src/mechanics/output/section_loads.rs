@@ -8,7 +8,6 @@ use super::joint_loads::{JointLoads, Side};
 use crate::math::Vec3;
 use crate::math::quadrature::shares_of_three;
 use crate::math::rotation::rotation_matrix;
-use crate::mechanics::beam::ancf14::coordinates::SHAPE_PLACES;
 use crate::mechanics::beam::balance::{Acting, Balance, Instant};
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::line_load::{ElementForces, LOAD_POINTS, MOST_COORDINATES};
@@ -77,11 +76,9 @@ impl SectionLoads<'_> {
                 }
             }
         }
-        system.each_touch_of(element, c, passage, |touch| {
-            let force = touch.in_space();
-            for (weight, start) in touch.weights.iter().zip(SHAPE_PLACES) {
-                (0..3).for_each(|axis| inside[start + axis] += weight * force[axis]);
-            }
+        system.each_touch_of(element, c, passage, |xi, [force, moment]| {
+            let jacobian = own.section_jacobian(&c.beams, xi);
+            add((jacobian.place_q.tr_mul(&force) + jacobian.turn_q.tr_mul(&moment)).as_slice(), &mut inside);
         });
         ElementBalance { loads: self, element, balance: own.balance(&c.beams, &self.instant(element), &inside), along }
     }
@@ -150,11 +147,10 @@ impl ElementBalance<'_> {
                 acting.add_about(&here, share, &mut sum);
             }
         }
-        system.each_touch_of(self.element, c, passage, |touch| {
-            if touch.xi < xi {
-                let position = system.mesh.elements[self.element].axis_point(touch.xi, c.beams.q);
-                let acting = Acting { position, force: touch.in_space(), moment: Vec3::zeros() };
-                acting.add_about(&here, 1.0, &mut sum);
+        system.each_touch_of(self.element, c, passage, |own, [force, moment]| {
+            if own < xi {
+                let position = system.mesh.elements[self.element].axis_point(own, c.beams.q);
+                Acting { position, force, moment }.add_about(&here, 1.0, &mut sum);
             }
         });
         for part in system.inner_parts_of(self.element) {

@@ -194,10 +194,22 @@ impl System {
         Err(Error::RunThrough { time, beam, element: place, surface, radius: contact.surface.shape.radius() })
     }
 
-    /// Calls `take` with each point of element `number` that touches a surface.
-    pub fn each_touch_of(&self, number: usize, c: &Configuration, passage: &Passage, mut take: impl FnMut(&Touch)) {
+    /// Calls `take` with the place in element `number`, and with force (N) and moment (N m) on it in global axes, of each
+    /// point that touches a surface.
+    pub fn each_touch_of(
+        &self,
+        number: usize,
+        c: &Configuration,
+        passage: &Passage,
+        mut take: impl FnMut(f64, [Vec3; 2]),
+    ) {
         for contact in self.contacts.iter().filter(|contact| contact.elements.contains(&number)) {
-            contact.each_touch(&self.mesh.elements[number], c, passage, &mut take);
+            let (element, mut cells) = (&self.mesh.elements[number], Cells::default());
+            contact.each_touch(element, c, passage, |touch| {
+                Pressing::add(&mut cells, touch);
+                take(touch.xi, [touch.in_space(), Vec3::zeros()]);
+            });
+            contact.each_grip(number, element, c, passage, &cells, |grip| take(grip.xi, grip.in_space()));
         }
     }
 }

@@ -18,7 +18,7 @@ const ROUND_SHARE: f64 = 4.0;
 const FLAT_RADII: f64 = 20.0;
 
 impl Builder<'_> {
-    pub(super) fn add_contact(&mut self, written: &ContactSpec) {
+    pub(super) fn add_contact(&mut self, number: usize, written: &ContactSpec) {
         for (beam, surface) in written.pairs() {
             let spec = &self.document.surfaces[surface];
             let surface = Surface { name: spec.name.clone(), ..self.surface(spec) };
@@ -27,7 +27,7 @@ impl Builder<'_> {
             let law = law(self.document, written, beam, &surface.shape);
             let friction = friction(self.document, written, &law, 0);
             let name = written.name.clone();
-            self.system.add_contact(Contact { name, surface, elements, radius, law, friction });
+            self.system.add_contact(Contact { name, number, surface, elements, radius, law, friction });
         }
     }
 

@@ -82,7 +82,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     document.actuators.iter().for_each(|actuator| builder.add_actuator(actuator));
     document.locks.iter().for_each(|lock| builder.add_lock(lock));
     document.gears.iter().for_each(|gear| builder.add_gear(gear));
-    document.contacts.iter().for_each(|contact| builder.add_contact(contact));
+    document.contacts.iter().enumerate().for_each(|(number, contact)| builder.add_contact(number, contact));
     document.loads.iter().for_each(|load| builder.add_load(load));
     document.outputs.iter().for_each(|output| builder.add_sensors(output));
     if !builder.mistakes.is_empty() {

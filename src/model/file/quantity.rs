@@ -64,6 +64,18 @@ pub enum Quantity {
     Force,
     /// Elastic energy of a spring, of a stop, or of the springs of a joint.
     Energy,
+    /// Sum of the normal forces of a contact.
+    NormalForce,
+    /// Sum of the friction of a contact.
+    FrictionForce,
+    /// Largest penetration of a contact.
+    Penetration,
+    /// Length of beam that touches.
+    ContactLength,
+    /// Angle by which beams are bent where they touch.
+    WrapAngle,
+    /// Share of a contact that slides.
+    Sliding,
     /// Kinetic energy of a whole beam or body.
     KineticEnergy,
     /// Strain energy of a whole beam.
@@ -129,7 +141,7 @@ impl Rows {
 
 const POINT: Rows = Rows(&[At(Kind::Beam), At(Kind::Body), At(Kind::Frame), At(Kind::Point)]);
 const BEAM: Rows = Rows(&[At(Kind::Beam)]);
-const HOLD: Rows = Rows(&[At(Kind::Joint), At(Kind::Frame)]);
+const HOLD: Rows = Rows(&[At(Kind::Joint), At(Kind::Frame), At(Kind::Contact)]);
 const FREE: Rows = Rows(&[
     At(Kind::Joint),
     At(Kind::Drive),
@@ -151,12 +163,13 @@ const EFFORT: Rows = Rows(&[
 const POWER: Rows =
     Rows(&[At(Kind::Drive), At(Kind::Actuator), At(Kind::Gear), At(Kind::Spring), At(Kind::Friction), At(Kind::Stop)]);
 const SPRING: Rows = Rows(&[At(Kind::Spring)]);
-const STORE: Rows = Rows(&[At(Kind::Spring), At(Kind::Stop), At(Kind::Joint)]);
+const STORE: Rows = Rows(&[At(Kind::Spring), At(Kind::Stop), At(Kind::Joint), At(Kind::Contact)]);
+const TOUCH: Rows = Rows(&[At(Kind::Contact)]);
 const MASS: Rows = Rows(&[Whole(Kind::Beam), Whole(Kind::Body)]);
 const WHOLE_BEAM: Rows = Rows(&[Whole(Kind::Beam)]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 32] = [
+pub const QUANTITIES: [Row; 38] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -264,6 +277,12 @@ pub const QUANTITIES: [Row; 32] = [
     POWER.row(Quantity::Power, "power", 1, "W", "power of the drive or actuator: its effort times the rate of its coordinate"),
     SPRING.row(Quantity::Force, "force", 1, "N", "force or torque of the spring, positive where it pulls its sides together"),
     STORE.row(Quantity::Energy, "energy", 1, "J", "elastic energy of the spring or stop"),
+    TOUCH.row(Quantity::NormalForce, "normal_force", 1, "N", "sum of the sizes of all normal forces of the contact"),
+    TOUCH.row(Quantity::FrictionForce, "friction_force", 1, "N", "sum of the sizes of all friction of the contact"),
+    TOUCH.row(Quantity::Penetration, "penetration", 1, "m", "largest penetration of the contact"),
+    TOUCH.row(Quantity::ContactLength, "contact_length", 1, "m", "length of beam that touches"),
+    TOUCH.row(Quantity::WrapAngle, "wrap_angle", 1, "rad", "angle by which the beam is bent where it touches"),
+    TOUCH.row(Quantity::Sliding, "sliding", 1, "", "share of what touches with friction that slides, 0 to 1"),
     MASS.row(Quantity::KineticEnergy, "kinetic_energy", 1, "J", "kinetic energy of the whole part"),
     WHOLE_BEAM.row(Quantity::ElasticEnergy, "elastic_energy", 1, "J", "strain energy of the whole beam"),
     MASS.row(
@@ -308,7 +327,10 @@ impl Quantity {
     pub fn is_rough(self) -> bool {
         use Quantity::*;
         let is_strain = matches!(self, AxialStrain | Curvature | Torsion | Stress);
-        let is_force = matches!(self, SectionForce | SectionMoment | Effort | Power | Force) || self.is_transmitted();
+        let is_force = matches!(
+            self,
+            SectionForce | SectionMoment | Effort | Power | Force | NormalForce | FrictionForce | Penetration | Sliding
+        ) || self.is_transmitted();
         is_strain || is_force || self.is_acceleration()
     }
 

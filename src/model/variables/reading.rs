@@ -75,6 +75,12 @@ pub(super) fn push_point(
         | Quantity::Power
         | Quantity::Force
         | Quantity::Energy
+        | Quantity::NormalForce
+        | Quantity::FrictionForce
+        | Quantity::Penetration
+        | Quantity::ContactLength
+        | Quantity::WrapAngle
+        | Quantity::Sliding
         | Quantity::KineticEnergy
         | Quantity::ElasticEnergy
         | Quantity::GravityEnergy => unreachable!("the file is refused: these belong to whole parts"),
@@ -136,6 +142,27 @@ pub(super) fn push_joint(
             values.push(coordinate_of(coordinate, quantity, moment, loads.c));
         }
     }
+}
+
+/// Appends a quantity of a contact.
+pub(super) fn push_contact(
+    values: &mut Vec<f64>,
+    number: usize,
+    quantity: Quantity,
+    moment: &Moment,
+    loads: &JointLoads,
+) {
+    let found = moment.system.contact_loads(number, loads.c, loads.passage);
+    values.push(match quantity {
+        Quantity::NormalForce => found.normal,
+        Quantity::FrictionForce => found.friction,
+        Quantity::Penetration => found.penetration,
+        Quantity::ContactLength => found.length,
+        Quantity::WrapAngle => found.wrap,
+        Quantity::Sliding => found.sliding,
+        Quantity::Energy => found.energy,
+        _ => return push_wrench(values, (found.force, found.moment), quantity),
+    });
 }
 
 /// A quantity of a drive, a lock, an actuator, a gear or a spring: its effort and power, or its coordinate.

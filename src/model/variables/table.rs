@@ -5,7 +5,7 @@ use super::dependencies::{self, Found, Givens};
 use super::inputs::Inputs;
 use super::measure::{ACCOUNT, Measure};
 use super::nominal::Scales;
-use super::reading::{Moment, of_connection, of_part, push_joint, push_point, push_total, push_wrench};
+use super::reading::{Moment, of_connection, of_part, push_contact, push_joint, push_point, push_total, push_wrench};
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
@@ -210,6 +210,7 @@ impl Table {
         self.measures.iter().any(|measure| match measure {
             Measure::Sensors(_, quantity) => quantity.is_acceleration() || quantity.is_of_section(),
             Measure::Frame(..) | Measure::Connection(Kind::Gear, ..) => true,
+            Measure::Connection(Kind::Contact, ..) => false,
             // An effort is given, and a spring follows from positions and velocities.
             Measure::Connection(Kind::Actuator | Kind::Spring, _, quantity) => quantity.is_acceleration(),
             Measure::Connection(.., quantity) => {
@@ -229,6 +230,7 @@ impl Table {
             Measure::Sensors(_, quantity) | Measure::Connection(Kind::Spring, _, quantity) => {
                 !quantity.is_acceleration() && !quantity.is_of_section()
             }
+            Measure::Connection(Kind::Contact, ..) => true,
             Measure::Frame(..) | Measure::Connection(Kind::Gear, ..) => false,
             Measure::Connection(.., quantity) => quantity.is_coordinate(),
             Measure::Whole(..) | Measure::Energy => true,
@@ -347,6 +349,9 @@ impl Table {
                 Measure::Frame(frame, quantity) => push_wrench(values, loads.frame_reaction(*frame), *quantity),
                 Measure::Connection(Kind::Joint, number, quantity) => {
                     push_joint(values, *number, *quantity, moment, &loads, self.first_of_joints);
+                }
+                Measure::Connection(Kind::Contact, number, quantity) => {
+                    push_contact(values, *number, *quantity, moment, &loads);
                 }
                 Measure::Connection(kind, number, quantity) => {
                     values.push(of_connection(*kind, *number, *quantity, moment, &loads));

@@ -181,7 +181,20 @@ impl Statics {
         }
         let before = self.stability.known();
         self.leaves_unstable = before.is_some_and(|known| known.counted > 0);
-        self.search_holding(system, state, next, |statics, system, next| statics.ramp_to(system, next, time))?;
+        let ramped =
+            self.search_holding(system, state, next, |statics, system, next| statics.ramp_to(system, next, time));
+        match ramped {
+            // Beams that touch nothing yet fall until they do.
+            Err(reason) if !system.contacts.is_empty() && !matches!(reason, Error::NotFinite { .. }) => {
+                let tried = next.statistics;
+                next.clone_from(state);
+                next.statistics = tried;
+                let relaxed = self.relax(system, next, time).and_then(|()| self.make_unique(system, next, time));
+                next.time = time;
+                after_relaxation(Err(reason), relaxed)?;
+            }
+            ramped => ramped?,
+        }
         self.release_held(system, next);
         self.remark_held(system, state, next);
         next.statistics.steps += 1;

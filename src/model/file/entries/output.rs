@@ -141,6 +141,19 @@ impl OutputSpec {
             (Quantity::Effort, Target::Connection(Kind::Friction, _)) => "torque or force of the friction on side b",
             (Quantity::Effort, Target::Connection(Kind::Stop, _)) => "torque or force of the stop on side b",
             (Quantity::Effort, Target::Connection(Kind::Lock, _)) => "torque or force of the lock on side b",
+            (Quantity::ReactionForce, Target::Connection(Kind::Contact, _)) => {
+                "force of the surfaces on the beams, in global axes"
+            }
+            (Quantity::ReactionMoment, Target::Connection(Kind::Contact, _)) => {
+                "moment of the surfaces on the beams, about the place of the first surface, in global axes"
+            }
+            (Quantity::AppliedForce, Target::Connection(Kind::Contact, _)) => {
+                "force of the beams on the surfaces, in global axes"
+            }
+            (Quantity::AppliedMoment, Target::Connection(Kind::Contact, _)) => {
+                "moment of the beams on the surfaces, about the place of the first surface, in global axes"
+            }
+            (Quantity::Energy, Target::Connection(Kind::Contact, _)) => "elastic energy of the penetration",
             (Quantity::Energy, Target::Connection(Kind::Joint, _)) => "elastic energy of the joint's own springs",
             (Quantity::Distance, Target::Connection(Kind::Spring, _)) => {
                 "distance of b from a; on a joint along the axis, 0 as drawn"

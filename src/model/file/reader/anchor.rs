@@ -97,10 +97,11 @@ pub const WATCHED: Allowed = Allowed {
         Kind::Friction,
         Kind::Stop,
         Kind::Lock,
+        Kind::Contact,
         Kind::Beam,
     ],
     ground: false,
-    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, GEAR, SPRING, FRICTION, STOP or LOCK",
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, GEAR, SPRING, FRICTION, STOP, LOCK or CONTACT",
 };
 
 /// What an observer can move with.

@@ -1,0 +1,69 @@
+//! What a contact transmits, and how beams lie on its surfaces.
+
+use crate::math::{Vec3, hermite};
+use crate::mechanics::beam::ancf14::coordinates::interpolate;
+use crate::mechanics::contact::grip::{Cells, Pressing};
+use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::system::System;
+
+/// What a contact transmits: sums over its beams and surfaces.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ContactLoads {
+    /// Force on the beams, N.
+    pub force: Vec3,
+    /// Moment on the beams about the place of the first surface, N m.
+    pub moment: Vec3,
+    /// Sum of the sizes of all normal forces, N.
+    pub normal: f64,
+    /// Sum of the sizes of all friction, N.
+    pub friction: f64,
+    /// Largest penetration, m.
+    pub penetration: f64,
+    /// Length of beam that touches, m.
+    pub length: f64,
+    /// Angle by which the beams are bent along that length, rad.
+    pub wrap: f64,
+    /// Share of the cells with friction that slide.
+    pub sliding: f64,
+    /// Elastic energy of the penetration, J.
+    pub energy: f64,
+}
+
+impl System {
+    /// What contact `number` of the model file transmits at `c`.
+    pub fn contact_loads(&self, number: usize, c: &Configuration, passage: &Passage) -> ContactLoads {
+        let (mut found, mut cells_with_friction) = (ContactLoads::default(), 0.0);
+        let mut about = None;
+        for contact in self.contacts.iter().filter(|contact| contact.number == number) {
+            let about = *about.get_or_insert_with(|| contact.surface.marker.pose(c).place);
+            for own in contact.elements.clone() {
+                let (element, mut cells) = (&self.mesh.elements[own], Cells::default());
+                let q = &c.beams.q[element.coordinates()];
+                contact.each_touch(element, c, passage, |touch| {
+                    Pressing::add(&mut cells, touch);
+                    let force = touch.in_space();
+                    found.force += force;
+                    found.moment += (interpolate(&touch.weights, q) - about).cross(&force);
+                    found.normal += touch.pressing;
+                    found.penetration = found.penetration.max(touch.penetration);
+                    found.length += touch.length;
+                    found.energy += touch.energy;
+                    let slope = interpolate(&hermite::shape_x(touch.xi, element.length()), q);
+                    let bend = interpolate(&hermite::shape_xx(touch.xi, element.length()), q);
+                    found.wrap += touch.length * slope.cross(&bend).norm() / slope.norm_squared();
+                });
+                contact.each_grip(own, element, c, passage, &cells, |grip| {
+                    let [force, moment] = grip.in_space();
+                    let place = interpolate(&hermite::shape(grip.xi, element.length()), q);
+                    found.force += force;
+                    found.moment += (place - about).cross(&force) + moment;
+                    found.friction += grip.force.norm();
+                    cells_with_friction += 1.0;
+                    found.sliding += f64::from(grip.slides);
+                });
+            }
+        }
+        found.sliding /= f64::max(cells_with_friction, 1.0);
+        found
+    }
+}
