@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
 mod architecture;
+mod contact;
 mod elements;
 mod equilibria;
 mod fmi;

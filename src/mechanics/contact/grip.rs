@@ -8,7 +8,7 @@
 
 use super::Contact;
 use super::pieces::CELLS;
-use super::touch::{Arms, Touch};
+use super::touch::{Arms, Touch, arm};
 use crate::math::{Mat3, Vec3, hermite};
 use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, SHAPE_PLACES};
 use crate::mechanics::beam::element::AnyElement;
@@ -19,6 +19,10 @@ use nalgebra::SMatrix;
 
 /// Numbers that an element remembers: a displacement for each of its cells.
 pub const REMEMBERED: usize = 3 * CELLS;
+
+/// Share of the largest displacement from which on both surfaces slide: the normal that it is seen along has turned
+/// since it was set.
+const SLIDING: f64 = 1.0 - 1e-3;
 
 /// Dry friction of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -150,9 +154,11 @@ impl Contact {
         let (seat, axes) = self.seat();
         let places = [0, 1].map(|end| self.lying(element, &carriers[end], ends[end]).place(xi));
         let whole = places.map(|place| seat + axes * place);
+        let weights = hermite::shape(xi, element.length());
+        let from = [0, 1].map(|end| arm(element, &weights, &carriers[end], ends[end]));
         let arms = match passage {
-            Passage::Step(_) => Arms::over(carriers, whole),
-            _ => Arms::at(carriers[1], whole[1]),
+            Passage::Step(_) => Arms::over(carriers, from),
+            _ => Arms::at(carriers[1], from[1]),
         };
         let middle = (places[0] + places[1]) * 0.5;
         let normal = axes * self.surface.shape.normal(&middle).normalize();
@@ -182,7 +188,7 @@ impl Contact {
         let stiffness = friction.stiffness * pressing.length;
         let limit = friction.coefficient * pressing.force / stiffness;
         let (displaced, first, first_by_limit) = cut(&(across * before + slip), limit);
-        let slides = first_by_limit != Vec3::zeros();
+        let slides = displaced.norm() >= SLIDING * limit;
         let mut force = displaced * stiffness;
         let mut by_slip = first * across * stiffness;
         let mut by_pressing = first_by_limit * friction.coefficient;

@@ -2,7 +2,7 @@
 //!
 //! In the axes of the carrier a point of the beam is at `y' = Bᵀ(x − c)`, with the place `c` and the axes `B` of the
 //! carrier. Over a step `Δy' = B̄ᵀ Δ(x − c) + ΔBᵀ ē` holds exactly with the means `B̄` and `ē` of `B` and of the arm
-//! `e = x − c`. A force `F'` along `Δy'` is `B̄ F'` on the point, `−B̄ F'` on the carrier's place and `−F'ᵢ ē` on its
+//! `e = x − c`. A force `F'` along `Δy'` is `B̄ F'` on the point, `−B̄ F'` on the carrier's place and `F'ᵢ ē` on its
 //! director `i`.
 
 use super::Contact;
@@ -79,8 +79,9 @@ impl Contact {
         if self.is_clear([start, end]) {
             return;
         }
-        let (shape, radius, (seat, axes)) = (&self.surface.shape, self.radius, self.seat());
+        let (shape, radius, (_, axes)) = (&self.surface.shape, self.radius, self.seat());
         each_point(shape, radius, [start, end], |cell, xi, share| {
+            let weights = hermite::shape(xi, element.length());
             let places = lying.map(|own| own.place(xi));
             let penetrations = places.map(|place| radius - shape.distance(&place));
             let Pressure { force, slope, elastic } = self.law.over(penetrations, step.duration);
@@ -93,10 +94,13 @@ impl Contact {
                 length: share,
                 pressing: share * force,
                 by_place: axes * normal * (-share * slope),
-                weights: hermite::shape(xi, element.length()),
+                weights,
                 force: axes * secant.direction * (share * force),
                 stiffness: axes * by_end * axes.transpose() * (2.0 * share),
-                arms: Arms::over(carriers, places.map(|place| seat + axes * place)),
+                arms: Arms::over(
+                    carriers,
+                    [0, 1].map(|end| arm(element, &weights, &carriers[end], configurations[end])),
+                ),
                 penetration: penetrations[1],
                 dissipated: share * (force - elastic) * (penetrations[1] - penetrations[0]),
                 energy: share * self.law.energy(penetrations[1]),
@@ -117,12 +121,12 @@ impl Contact {
         if self.is_clear([&lying, &lying]) {
             return;
         }
-        let (shape, radius, (seat, axes)) = (&self.surface.shape, self.radius, self.seat());
+        let (shape, radius, (_, axes)) = (&self.surface.shape, self.radius, self.seat());
         each_point(shape, radius, [&lying, &lying], |cell, xi, share| {
             let place = lying.place(xi);
             let penetration = radius - shape.distance(&place);
             let (weights, normal) = (hermite::shape(xi, element.length()), shape.normal(&place));
-            let arms = Arms::at(carrier, seat + axes * place);
+            let arms = Arms::at(carrier, arm(element, &weights, &carrier, c));
             let (mut rate, mut by_rate) = (0.0, 0.0);
             if let (Some((velocity, velocity_by_q)), true) = (motion, self.law.damping != 0.0) {
                 rate = -normal.dot(&axes.tr_mul(&self.rate(element, &weights, &arms, c, velocity)));
@@ -181,8 +185,7 @@ impl Contact {
 }
 
 impl Arms {
-    pub(super) fn over(carriers: [Pose; 2], places: [Vec3; 2]) -> Self {
-        let [start, end] = [0, 1].map(|number| carriers[number].axes * places[number]);
+    pub(super) fn over(carriers: [Pose; 2], [start, end]: [Vec3; 2]) -> Self {
         Self {
             axes: (carriers[0].axes + carriers[1].axes) * 0.5,
             arm: (start + end) * 0.5,
@@ -191,10 +194,14 @@ impl Arms {
         }
     }
 
-    pub(super) fn at(carrier: Pose, place: Vec3) -> Self {
-        let arm = carrier.axes * place;
+    pub(super) fn at(carrier: Pose, arm: Vec3) -> Self {
         Self { axes: carrier.axes, arm, end_axes: carrier.axes, end_arm: arm }
     }
+}
+
+/// From the carrier to the point of `element` with these `weights`, m.
+pub(super) fn arm(element: &AnyElement, weights: &[f64; 4], carrier: &Pose, c: &Configuration) -> Vec3 {
+    interpolate(weights, &c.beams.q[element.coordinates()]) - carrier.place
 }
 
 impl Touch {

@@ -217,7 +217,7 @@ impl System {
 impl Touch {
     /// Work of the force that the beam exerts on the carrier while its place and axes change, J.
     fn work_on_carrier(&self, place: &Vec3, axes: &Mat3) -> f64 {
-        -self.in_space().dot(place) - self.force.dot(&axes.tr_mul(&self.arms.arm))
+        self.force.dot(&axes.tr_mul(&self.arms.arm)) - self.in_space().dot(place)
     }
 }
 
@@ -231,7 +231,7 @@ fn add_force(touch: &Touch, start: usize, body: Option<usize>, factor: f64, forc
     let Some(body) = body else { return };
     add_vec3(forces, body, &force);
     for director in 0..3 {
-        add_vec3(forces, body + axis_place(director), &(touch.arms.arm * (factor * touch.force[director])));
+        add_vec3(forces, body + axis_place(director), &(touch.arms.arm * (-factor * touch.force[director])));
     }
 }
 

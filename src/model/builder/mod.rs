@@ -10,6 +10,7 @@ mod parts;
 mod switches;
 mod tune;
 
+pub use contacts::radius as contact_radius;
 pub use tune::{aim, retune, switches, undirected};
 
 use super::expression::function::Function;

@@ -1,12 +1,14 @@
 //! What a run is watched for: signs that its numbers should not be trusted. Each is warned of once.
 
 mod alternation;
+mod contacts;
 mod ends;
 mod mesh;
 mod stops;
 mod switches;
 
 use self::alternation::AlternationWatch;
+use self::contacts::ContactWatch;
 use self::ends::EndWatch;
 use self::mesh::MeshWatch;
 use self::stops::StopWatch;
@@ -33,6 +35,7 @@ pub struct Watch {
     ends: EndWatch,
     alternation: AlternationWatch,
     stops: StopWatch,
+    contacts: ContactWatch,
 }
 
 impl Watch {
@@ -62,7 +65,8 @@ impl Watch {
         let ends = self.ends.look(system, state, frames);
         let alternation = self.alternation.look(system, state, (table, results), &self.mesh.beams);
         let stops = self.stops.look(system, state);
-        let all = twist.into_iter().chain(mesh).chain(ends).chain(alternation).chain(stops);
+        let contacts = self.contacts.look(system, state, frames);
+        let all = twist.into_iter().chain(mesh).chain(ends).chain(alternation).chain(stops).chain(contacts);
         all.chain(self.energy(state.balance.alarm())).collect()
     }
 

@@ -1,10 +1,11 @@
 //! Legal models that are hardly ever meant: parts that nothing holds, joints between places that do not meet, materials
 //! in other units than SI, stubby beams, angles in degrees, motions that begin with a blow, loads with a pole, steps
 //! almost as long as the motion or as an oscillation of what acts, too many switches, forces that do not do what they
-//! should, copies in one place.
+//! should, elements too long for what they touch, copies in one place.
 
 mod angles;
 mod arms;
+mod contacts;
 mod fast_signals;
 mod forces;
 mod groups;
@@ -55,6 +56,7 @@ pub fn notes(document: &Document) -> Vec<String> {
         slenderness::stubby_beams(document, &lines),
         angles::odd_angles(document),
         starts::jumps(document, &lines),
+        contacts::coarse_contacts(document, &lines),
         poles::poles(document),
         hidden_jumps::hidden_jumps(document),
         forces::turned_laws(document),

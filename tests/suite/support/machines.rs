@@ -150,6 +150,13 @@ pub fn march(
     Ok(())
 }
 
+/// The system and the state that a model file draws.
+pub fn built(text: &str) -> (System, State) {
+    let document = Document::parse("model.toml", text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    let built = builder::build(&document, 0.0).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+    (built.system, built.state)
+}
+
 /// Runs a model by `steps.1` internal steps of `steps.0` s with the spectral radius `radius`: by what its energy
 /// changes beyond the work that is accounted for, J, and by how much it changes, J.
 pub fn drift(text: &str, radius: f64, steps: (f64, u32)) -> [f64; 2] {

@@ -17,7 +17,12 @@ pub fn loose_parts(document: &Document) -> Vec<Note> {
     let joints = document.joints.iter().map(|joint| (joint.a, joint.b));
     let springs = document.springs.iter().filter_map(|spring| spring.ends().map(|[a, b]| (a, b)));
     let pairs = joints.chain(springs).map(|(a, b)| (part(a.spot), part(b.spot)));
-    let groups = Groups::new(world + 1, pairs);
+    // What may come to lie on something is not lost.
+    let contacts = document
+        .contacts
+        .iter()
+        .flat_map(|contact| contact.pairs().map(|(beam, surface)| (beam, part(document.surfaces[surface].on))));
+    let groups = Groups::new(world + 1, pairs.chain(contacts));
 
     let beams = document.beams.iter().map(|beam| (format!("beam {}", beam.name), beam.place));
     let bodies = document.bodies.iter().map(|body| (format!("body {}", body.name), body.place));

@@ -1,0 +1,50 @@
+//! Whether contacts are stiff enough for what presses them.
+
+use crate::error::decimal;
+use crate::mechanics::marker::configuration::Passage;
+use crate::mechanics::state::State;
+use crate::mechanics::system::System;
+use crate::mechanics::system::frame_cache::FrameCache;
+use serde::{Deserialize, Serialize};
+
+/// Penetrations above these shares of the radius of the beam and of the surface are told.
+const OF_BEAM: f64 = 0.05;
+const OF_SURFACE: f64 = 0.01;
+
+/// What has been seen of contacts.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ContactWatch {
+    warned: bool,
+}
+
+impl ContactWatch {
+    /// Looks at a new state, and warns of a contact that is penetrated further than its answer should bear.
+    pub fn look(&mut self, system: &System, state: &State, snapshot: &mut FrameCache) -> Option<String> {
+        if self.warned || system.contacts.is_empty() {
+            return None;
+        }
+        let c = snapshot.of(system, state);
+        let found = system.contacts.iter().find_map(|contact| {
+            let round = OF_SURFACE * contact.surface.shape.radius();
+            let thick = if contact.radius > 0.0 { OF_BEAM * contact.radius } else { f64::INFINITY };
+            let mut deepest = 0.0_f64;
+            for element in &system.mesh.elements[contact.elements.clone()] {
+                contact.each_touch(element, &c, &Passage::Rest, |touch| deepest = deepest.max(touch.penetration));
+            }
+            let (most, of) = if round < thick { (round, "surface") } else { (thick, "beam") };
+            (deepest > most).then_some((contact, deepest, of))
+        });
+        let (contact, depth, of) = found?;
+        self.warned = true;
+        Some(format!(
+            "contact {} is penetrated by {depth:.2e} m on surface {} at t = {} s, more than {} of the radius of the {of}: its stiffness of {:.2e} N/m2 decides the answer; \
+             raise {}.stiffness",
+            contact.name,
+            contact.surface.name,
+            decimal(state.instant()),
+            if of == "beam" { "5 %" } else { "1 %" },
+            contact.law.stiffness,
+            contact.name
+        ))
+    }
+}

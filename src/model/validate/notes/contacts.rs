@@ -1,0 +1,36 @@
+//! Contacts whose mesh is too coarse for what they touch.
+
+use super::Note;
+use crate::model::file::document::Document;
+use crate::model::file::entries::surface::Shape;
+use crate::model::shape::Lines;
+
+/// Longest element on something round, over its radius: with longer ones a rope that runs onto it loses percents of its
+/// way.
+const LONGEST: f64 = 0.6;
+
+/// Says which beams have elements that are too long for a surface.
+pub fn coarse_contacts(document: &Document, lines: &Lines) -> Vec<Note> {
+    let mut notes = Vec::new();
+    for contact in &document.contacts {
+        for (beam, surface) in contact.pairs() {
+            let radius = match document.surfaces[surface].shape {
+                Shape::Cylinder { radius, inside: false, .. } | Shape::Sheave { radius, .. } => document.value(radius),
+                _ => continue,
+            };
+            let Some(line) = lines.line(beam) else { continue };
+            let longest = line.spans.iter().map(|span| span.length).fold(0.0, f64::max);
+            if longest > LONGEST * radius {
+                let whole: f64 = line.spans.iter().map(|span| span.length).sum();
+                let (name, surface) = (&document.beams[beam].name, &document.surfaces[surface].name);
+                let text = format!(
+                    "elements of beam {name} are up to {longest:.3} m long, too long to lie on surface {surface} with its radius of {radius} m. Where the beam is bent around it, \
+                     take elements = {:.0} or more: half its radius each",
+                    (whole / (0.5 * radius)).ceil()
+                );
+                notes.push(Note { place: contact.place, text });
+            }
+        }
+    }
+    notes
+}

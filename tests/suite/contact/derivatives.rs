@@ -1,0 +1,96 @@
+//! Tangents of contact against differences of its forces, on the ground, a moving frame and a body.
+
+use crate::random::Random;
+use crate::support::machines::built;
+use ancf14::math::blocks::Blocks;
+use ancf14::mechanics::input::excitation::Excitation;
+use ancf14::mechanics::marker::configuration::Passage;
+use ancf14::mechanics::state::State;
+use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::frame_cache::FrameCache;
+
+/// A soft beam of two elements across `surface`, which presses into it.
+fn model(surface: &str, friction: &str) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Touching\"\ngravity = [0, 0, 0]\n\
+         [section.s]\nshape = \"rigidities\"\nEA = 10\nEI_y = 0.1\nEI_z = 0.1\nGJ = 0.1\nline_density = 1\n\
+         [beam.bar]\nsection = \"s\"\nfrom = [-0.4, 0.02, 0.28]\nto = [0.5, 0.05, 0.31]\nelements = 2\n\
+         [body.wheel]\nmass = 2\nposition = [0.02, 0.1, 0.03]\ninertia = [0.1, 0.2, 0.15]\n\
+         [frame.cart]\nposition = [0, 0, 0.01]\n\
+         [surface.own]\n{surface}\n\
+         [contact.press]\nof = \"bar\"\nwith = \"own\"\nstiffness = 50\nradius = 0.03\n{friction}\n\
+         [simulation]\nstop = 1\n"
+    )
+}
+
+/// All of the beam is inside: pieces that end where the gap is 0 move with the beam, and a rule of three points is not
+/// exact for them.
+const SURFACES: [&str; 6] = [
+    "shape = \"plane\"\nnormal = [0.1, 0, 1]\noffset = [0, 0, 0.4]",
+    "shape = \"cylinder\"\naxis = [0.1, 1, 0]\nradius = 0.7\non = \"cart\"",
+    "shape = \"cylinder\"\naxis = [0.1, 1, 0]\nradius = 0.7\non = \"wheel\"",
+    "shape = \"sphere\"\nradius = 0.7\non = \"wheel\"\noffset = [0.01, -0.1, 0]",
+    "shape = \"cylinder\"\naxis = [1, 0, 0.05]\nradius = 0.2\ninside = true\non = \"wheel\"",
+    "shape = \"sheave\"\naxis = [0, 1, 0]\nradius = 0.7\ngroove = 0.2\non = \"wheel\"",
+];
+
+/// The forces of contact alone at the coordinates of `state`, after the accepted state `before`, and the tangent.
+fn forces(system: &System, before: &State, q: &[f64]) -> (Vec<f64>, Blocks) {
+    let mut frames = FrameCache::default();
+    frames.set(system, q, &before.triads);
+    let c = system.configuration(q, &frames, before, &before.prescribed);
+    let mut without = system.clone();
+    without.contacts.clear();
+    let of = |system: &System| {
+        let mut blocks = Blocks::default();
+        system.push_tangent_blocks(&mut blocks);
+        let mut forces = vec![0.0; q.len()];
+        system.forces_and_tangent(&c, &Passage::Rest, &Excitation::default(), 1.0, &mut forces, &mut blocks);
+        (forces, blocks)
+    };
+    let ((whole, blocks), (beams, _)) = (of(system), of(&without));
+    (whole.iter().zip(&beams).map(|(whole, beams)| whole - beams).collect(), blocks)
+}
+
+/// Along any change of all coordinates the tangent is the derivative. Differences of 1e-6 are off by round-off of 1e-10
+/// and by their square times curvatures of up to 1e3.
+fn check(surface: &str, friction: &str, bound: f64) {
+    let (system, state) = built(&model(surface, friction));
+    let mut random = Random(7);
+    let q = state.q.clone();
+    for _ in 0..3 {
+        let along: Vec<f64> = q.iter().map(|_| random.signed()).collect();
+        let left: Vec<f64> = q.iter().map(|_| random.signed()).collect();
+        let at = |share: f64| q.iter().zip(&along).map(|(q, change)| q + share * change).collect::<Vec<_>>();
+        let (here, blocks) = forces(&system, &state, &q);
+        assert!(here.iter().any(|force| *force != 0.0), "{surface} does not touch");
+        let without = {
+            let mut own = system.clone();
+            own.contacts.clear();
+            let mut frames = FrameCache::default();
+            frames.set(&own, &q, &state.triads);
+            let c = own.configuration(&q, &frames, &state, &state.prescribed);
+            let mut blocks = Blocks::default();
+            own.push_tangent_blocks(&mut blocks);
+            let mut sum = vec![0.0; q.len()];
+            own.forces_and_tangent(&c, &Passage::Rest, &Excitation::default(), 1.0, &mut sum, &mut blocks);
+            blocks.form(&left, &along)
+        };
+        let found = blocks.form(&left, &along) - without;
+        let [plus, minus] = [1e-6, -1e-6].map(|share| forces(&system, &state, &at(share)).0);
+        let expected: f64 = left.iter().zip(plus.iter().zip(&minus)).map(|(w, (a, b))| w * (a - b) / 2e-6).sum();
+        assert!((found - expected).abs() < bound * expected.abs().max(1.0), "{surface}: {found} {expected}");
+    }
+}
+
+#[test]
+fn tangents_of_normal_forces() {
+    SURFACES.iter().for_each(|surface| check(surface, "", 1e-7));
+}
+
+/// Friction of a beam that sticks to a plane: how the turn of a section changes with the coordinates, and where the
+/// center of pressure moves, is left to the iteration.
+#[test]
+fn tangents_of_friction() {
+    check(SURFACES[0], "friction = 0.3\nfriction_stiffness = 20", 1e-2);
+}

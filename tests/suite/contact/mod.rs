@@ -1,0 +1,7 @@
+//! Beams that touch surfaces.
+
+mod derivatives;
+mod energy;
+mod friction;
+mod states;
+mod statics;
