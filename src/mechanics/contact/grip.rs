@@ -35,7 +35,7 @@ pub struct Friction {
     pub memory: usize,
 }
 
-/// What presses in a cell.
+/// The pressure in a cell.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Pressing {
     /// Force, N.
@@ -48,7 +48,7 @@ pub struct Pressing {
     by_place: Vec3,
 }
 
-/// What presses in each cell of an element.
+/// The pressure in each cell of an element.
 pub type Cells = [Pressing; CELLS];
 
 impl Pressing {
@@ -100,7 +100,7 @@ pub struct Grip {
     pub slides: bool,
     /// Axes of the carrier, for the force in space.
     pub axes: Mat3,
-    /// From the axis of the beam to where the surfaces touch, in the axes of the carrier, m.
+    /// Lever from the axis of the beam to where the surfaces touch, in the axes of the carrier, m.
     pub lever: Vec3,
 }
 

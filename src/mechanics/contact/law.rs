@@ -6,7 +6,7 @@
 pub struct Law {
     /// Force per length of beam and penetration, N/m².
     pub stiffness: f64,
-    /// By how much the force is larger for each unit of the rate of the penetration, s/m.
+    /// Share of the force that is added for each unit of the rate of the penetration, s/m.
     pub damping: f64,
 }
 
@@ -27,7 +27,7 @@ impl Law {
         0.5 * self.stiffness * penetration.max(0.0).powi(2)
     }
 
-    /// At an instant, with the rate of the penetration, m/s.
+    /// The pressure at an instant, with the rate of the penetration, m/s.
     pub fn at(&self, penetration: f64, rate: f64) -> Pressure {
         if penetration <= 0.0 {
             return Pressure::default();
@@ -45,7 +45,7 @@ impl Law {
         self.stiffness * penetration * self.damping
     }
 
-    /// Over a step of `duration` s from one penetration to another.
+    /// The pressure over a step of `duration` s from one penetration to another.
     pub fn over(&self, [start, end]: [f64; 2], duration: f64) -> Pressure {
         let Pressure { force: elastic, slope, .. } = self.mean(start, end);
         if self.damping == 0.0 || elastic == 0.0 {

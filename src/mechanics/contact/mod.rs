@@ -60,7 +60,7 @@ impl Contact {
         }
     }
 
-    /// What carries the surface.
+    /// The place and the axes of the ground, the frame or the body that carries the surface.
     pub fn carrier(&self, c: &Configuration) -> Pose {
         self.surface.marker.bare().pose(c)
     }

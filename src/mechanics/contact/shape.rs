@@ -86,7 +86,7 @@ impl Shape {
         }
     }
 
-    /// At least so far is `y` from where the distance is finite and negative, m.
+    /// A lower bound of how far `y` is from where the distance is finite and negative, m.
     pub fn least_distance(&self, y: &Vec3) -> f64 {
         match *self {
             Self::Cylinder { radius, half_length, inside } => {

@@ -20,7 +20,7 @@ use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 pub struct Arms {
     /// Axes of the carrier over the step, or at the instant: `B̄`.
     pub axes: Mat3,
-    /// From the carrier to the point: `ē`, m.
+    /// Arm from the carrier to the point: `ē`, m.
     pub arm: Vec3,
     /// The same at the end of the step.
     pub end_axes: Mat3,
@@ -199,7 +199,7 @@ impl Arms {
     }
 }
 
-/// From the carrier to the point of `element` with these `weights`, m.
+/// Arm from the carrier to the point of `element` with these `weights`, m.
 pub(super) fn arm(element: &AnyElement, weights: &[f64; 4], carrier: &Pose, c: &Configuration) -> Vec3 {
     interpolate(weights, &c.beams.q[element.coordinates()]) - carrier.place
 }

@@ -1,4 +1,4 @@
-//! What a contact transmits, and how beams lie on its surfaces.
+//! Forces that a contact transmits, and how beams lie on its surfaces.
 
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::ancf14::coordinates::interpolate;
@@ -6,7 +6,7 @@ use crate::mechanics::contact::grip::{Cells, Pressing};
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::system::System;
 
-/// What a contact transmits: sums over its beams and surfaces.
+/// Forces that a contact transmits, summed over its beams and surfaces.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ContactLoads {
     /// Force on the beams, N.
@@ -30,7 +30,7 @@ pub struct ContactLoads {
 }
 
 impl System {
-    /// What contact `number` of the model file transmits at `c`.
+    /// Sums of contact `number` of the model file at `c`.
     pub fn contact_loads(&self, number: usize, c: &Configuration, passage: &Passage) -> ContactLoads {
         let (mut found, mut cells_with_friction) = (ContactLoads::default(), 0.0);
         let mut about = None;

@@ -17,14 +17,14 @@ use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::state::State;
 use nalgebra::SMatrix;
 
-/// What contact does over a step, J.
+/// Energies of contact over a step, J.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ContactEnergy {
     /// Elastic energy at the end.
     pub elastic: f64,
-    /// What moving frames give.
+    /// Energy that moving frames give.
     pub by_frames: f64,
-    /// What damping takes.
+    /// Energy that damping and friction take.
     pub dissipated: f64,
 }
 
@@ -158,7 +158,7 @@ impl System {
             let first = friction.memory + REMEMBERED * (number - contact.elements.start);
             let mut cells = Cells::default();
             contact.each_touch(element, c, passage, |touch| Pressing::add(&mut cells, touch));
-            // What does not touch remembers nothing.
+            // Cells that do not touch remember nothing.
             memory[first..first + REMEMBERED].fill(0.0);
             contact.each_grip(number, element, c, passage, &cells, |grip| {
                 memory[first + 3 * grip.cell..][..3].copy_from_slice(grip.displaced.as_slice());

@@ -9,10 +9,10 @@ use crate::mechanics::system::System;
 use crate::model::file::document::Document;
 use crate::model::file::entries::contact::ContactSpec;
 use crate::model::file::entries::surface::{self, SurfaceSpec};
+use crate::model::shape::contacts::contact_radius;
 use crate::model::shape::sections;
 
-/// What the default stiffness of a contact with something round has more than `EA/R²`: the surface then gives by a
-/// quarter of the axial strain under the beam's own pull.
+/// Default stiffness of a contact with something round, over `EA/R²`: the surface then gives by a quarter of the axial strain under the beam's own pull.
 const ROUND_SHARE: f64 = 4.0;
 /// Radii of the beam over which its axial stiffness is spread in the default stiffness of a contact with a plane.
 const FLAT_RADII: f64 = 20.0;
@@ -23,7 +23,7 @@ impl Builder<'_> {
             let spec = &self.document.surfaces[surface];
             let surface = Surface { name: spec.name.clone(), ..self.surface(spec) };
             let elements = self.system.elements_of(beam);
-            let radius = radius(self.document, written, beam);
+            let radius = contact_radius(self.document, written, beam);
             let law = law(self.document, written, beam, &surface.shape);
             let friction = friction(self.document, written, &law, 0);
             let name = written.name.clone();
@@ -52,17 +52,6 @@ impl Builder<'_> {
     }
 }
 
-/// Distance of the surface of a beam from its axis, m.
-pub fn radius(document: &Document, written: &ContactSpec, beam: usize) -> f64 {
-    written.radius.map_or_else(
-        || {
-            let section = sections::at_start(document, &document.sections[document.beams[beam].section]);
-            section.outline.size().map_or(0.0, |size| 0.5 * size[0].max(size[1]))
-        },
-        |radius| document.value(radius),
-    )
-}
-
 /// The normal force of a beam on a surface of this shape.
 fn law(document: &Document, written: &ContactSpec, beam: usize, shape: &Shape) -> Law {
     let stiffness = written.stiffness.map_or_else(
@@ -70,13 +59,13 @@ fn law(document: &Document, written: &ContactSpec, beam: usize, shape: &Shape) -
             let own = &document.beams[beam];
             let section = sections::at_start(document, &document.sections[own.section]);
             let young = sections::material(document, own).map_or(0.0, |material| material.young);
-            let (axial, radius) = (young * section.area, radius(document, written, beam));
+            let (axial, radius) = (young * section.area, contact_radius(document, written, beam));
             match *shape {
                 Shape::Cylinder { radius, .. } | Shape::Sphere { radius, .. } | Shape::Sheave { radius, .. } => {
                     ROUND_SHARE * axial / (radius * radius)
                 }
                 Shape::Plane if radius > 0.0 => axial / (FLAT_RADII * radius).powi(2),
-                // Of a line without thickness its length is all that there is.
+                // A line without thickness has its gyration alone.
                 Shape::Plane => axial / section.gyration().max(f64::MIN_POSITIVE).powi(2) / FLAT_RADII.powi(2),
             }
         },

@@ -10,7 +10,6 @@ mod parts;
 mod switches;
 mod tune;
 
-pub use contacts::radius as contact_radius;
 pub use tune::{aim, retune, switches, undirected};
 
 use super::expression::function::Function;

@@ -1,5 +1,6 @@
 //! Makes the shapes of parts from the file: the lines of beams, their sections, the places of their temperatures.
 
+pub mod contacts;
 pub mod heat;
 pub mod lines;
 mod places;

@@ -1,11 +1,11 @@
-//! What is wrong with the beams and surfaces of a contact.
+//! Mistakes of the beams and surfaces of a contact.
 
 use super::Checker;
 use crate::mechanics::beam::design::Elements;
-use crate::model::builder::contact_radius;
 use crate::model::file::entries::contact::ContactSpec;
 use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
 use crate::model::file::entries::surface::Shape;
+use crate::model::shape::contacts::contact_radius;
 
 impl Checker<'_> {
     /// Reports what a contact cannot have.

@@ -54,7 +54,7 @@ pub struct ContactSpec {
     pub radius: Option<Number>,
     /// Force per length and penetration, N/m²; none: by the beams.
     pub stiffness: Option<Number>,
-    /// By how much the force is larger for each unit of the rate of the penetration, s/m.
+    /// Share of the force that is added for each unit of the rate of the penetration, s/m.
     pub damping: Number,
     /// Coefficient of dry friction; none: it is smooth.
     pub friction: Option<Number>,

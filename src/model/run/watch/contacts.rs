@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 const OF_BEAM: f64 = 0.05;
 const OF_SURFACE: f64 = 0.01;
 
-/// What has been seen of contacts.
+/// The contacts that a run has been warned of.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ContactWatch {
     warned: bool,

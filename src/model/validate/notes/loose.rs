@@ -17,7 +17,7 @@ pub fn loose_parts(document: &Document) -> Vec<Note> {
     let joints = document.joints.iter().map(|joint| (joint.a, joint.b));
     let springs = document.springs.iter().filter_map(|spring| spring.ends().map(|[a, b]| (a, b)));
     let pairs = joints.chain(springs).map(|(a, b)| (part(a.spot), part(b.spot)));
-    // What may come to lie on something is not lost.
+    // A beam that may come to lie on something is not lost.
     let contacts = document
         .contacts
         .iter()
