@@ -47,6 +47,8 @@ pub struct Touch {
     pub force: Vec3,
     /// Minus the derivative of the force with respect to `y'` at the instant, or twice that at the end of a step, N/m.
     pub stiffness: Mat3,
+    /// Minus the derivative of the force with respect to the rate of `y'` at the instant; over a step 0, N s/m.
+    pub damping: Mat3,
     /// How carrier and point lie.
     pub arms: Arms,
     /// How far the point is inside, m.
@@ -97,6 +99,7 @@ impl Contact {
                 weights,
                 force: axes * secant.direction * (share * force),
                 stiffness: axes * by_end * axes.transpose() * (2.0 * share),
+                damping: Mat3::zeros(),
                 arms: Arms::over(
                     carriers,
                     [0, 1].map(|end| arm(element, &weights, &carriers[end], configurations[end])),
@@ -127,22 +130,27 @@ impl Contact {
             let penetration = radius - shape.distance(&place);
             let (weights, normal) = (hermite::shape(xi, element.length()), shape.normal(&place));
             let arms = Arms::at(carrier, arm(element, &weights, &carrier, c));
-            let (mut rate, mut by_rate) = (0.0, 0.0);
-            if let (Some((velocity, velocity_by_q)), true) = (motion, self.law.damping != 0.0) {
-                rate = -normal.dot(&axes.tr_mul(&self.rate(element, &weights, &arms, c, velocity)));
-                by_rate = velocity_by_q * self.law.by_rate(penetration, rate);
-            }
+            let (velocity, velocity_by_q) = motion.unwrap_or((&[], 0.0));
+            let rate = match motion {
+                Some(_) if self.law.damping != 0.0 => {
+                    -normal.dot(&axes.tr_mul(&self.rate(element, &weights, &arms, c, velocity)))
+                }
+                _ => 0.0,
+            };
+            let by_rate = self.law.by_rate(penetration, rate);
+            let stiff = velocity_by_q * by_rate;
             let Pressure { force, slope, .. } = self.law.at(penetration, rate);
-            let by_place = normal * normal.transpose() * (slope + by_rate) - shape.normal_by_place(&place) * force;
+            let by_place = normal * normal.transpose() * (slope + stiff) - shape.normal_by_place(&place) * force;
             take(&Touch {
                 xi,
                 cell,
                 length: share,
                 pressing: share * force,
-                by_place: axes * normal * (-share * (slope + by_rate)),
+                by_place: axes * normal * (-share * (slope + stiff)),
                 weights,
                 force: axes * normal * (share * force),
                 stiffness: axes * by_place * axes.transpose() * share,
+                damping: axes * normal * normal.transpose() * axes.transpose() * (share * by_rate),
                 arms,
                 penetration,
                 dissipated: 0.0,

@@ -17,6 +17,25 @@ use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 use crate::mechanics::state::State;
 use nalgebra::SMatrix;
 
+/// The tangent of an element that touches a body.
+struct BodyTangent {
+    element: [f64; ELEMENT * ELEMENT],
+    by_body: [f64; ELEMENT * BODY],
+    by_element: [f64; ELEMENT * BODY],
+    body: [f64; BODY * BODY],
+}
+
+impl Default for BodyTangent {
+    fn default() -> Self {
+        Self {
+            element: [0.0; ELEMENT * ELEMENT],
+            by_body: [0.0; ELEMENT * BODY],
+            by_element: [0.0; ELEMENT * BODY],
+            body: [0.0; BODY * BODY],
+        }
+    }
+}
+
 /// Energies of contact over a step, J.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ContactEnergy {
@@ -64,53 +83,93 @@ impl System {
         }
     }
 
-    /// Adds `scale` times the derivative of the forces of contact to the blocks of elements and bodies, and sets those
-    /// between them; over a step twice the derivative by the coordinates at its end.
+    /// [`Self::add_contact_forces`], and adds `scale` times their derivative to the blocks of elements and bodies, and
+    /// sets those between them; over a step twice the derivative by the coordinates at its end.
     #[inline(never)]
-    pub(super) fn set_contact_tangent(&self, c: &Configuration, passage: &Passage, scale: f64, tangent: &mut Blocks) {
+    pub(super) fn add_contacts_and_set_tangent(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        scale: f64,
+        forces: &mut [f64],
+        tangent: &mut Blocks,
+    ) {
         let layout = TangentLayout::of(self);
         let mut pairs = layout.contact_pairs();
         // Derivatives of friction are those by the end, normal forces have them twice already.
         let twice = if matches!(passage, Passage::Step(_)) { 2.0 } else { 1.0 };
         for (contact, number, element) in self.contact_elements() {
-            let Some(start) = contact.body() else {
-                let (block, mut cells) = (tangent.block_mut(layout.element(number)), Cells::default());
+            let (first, body, mut cells) = (element.coordinates().start, contact.body(), Cells::default());
+            let Some(start) = body else {
+                let block = tangent.block_mut(layout.element(number));
                 contact.each_touch(element, c, passage, |touch| {
                     Pressing::add(&mut cells, touch);
+                    add_force(touch, first, body, 1.0, forces);
                     add_to_element(touch, scale, block);
                 });
                 contact.each_grip(number, element, c, passage, &cells, |grip| {
+                    add_friction(grip, first, body, forces);
                     add_product(&grip.by_element, &grip.by_end(), scale * twice, block);
                 });
                 continue;
             };
-            let (mut of_element, mut of_body) = ([0.0; ELEMENT * ELEMENT], [0.0; BODY * BODY]);
-            let [mut by_body, mut by_element] = [[0.0; ELEMENT * BODY], [0.0; ELEMENT * BODY]];
-            let (mut touches, mut cells) = (false, Cells::default());
+            let blocks = [(); 2].map(|()| pairs.next().expect("a contact with a body has two blocks an element"));
+            blocks.into_iter().for_each(|block| tangent.block_mut(block).fill(0.0));
+            let mut own: Option<BodyTangent> = None;
             contact.each_touch(element, c, passage, |touch| {
-                touches = true;
+                let BodyTangent { element, by_body, by_element, body: of_body } = own.get_or_insert_default();
                 Pressing::add(&mut cells, touch);
-                add_to_element(touch, scale, &mut of_element);
-                add_with_body(touch, scale, &mut by_body, &mut by_element, &mut of_body);
+                add_force(touch, first, body, 1.0, forces);
+                add_to_element(touch, scale, element);
+                add_with_body(touch, scale, by_body, by_element, of_body);
             });
+            let Some(mut own) = own else { continue };
             contact.each_grip(number, element, c, passage, &cells, |grip| {
                 let (by_end, by_body_end, factor) = (grip.by_end(), grip.by_body_end(), scale * twice);
-                add_product(&grip.by_element, &by_end, factor, &mut of_element);
-                add_product(&grip.by_element, &by_body_end, factor, &mut by_body);
-                add_product(&grip.by_body, &by_end, factor, &mut by_element);
-                add_product(&grip.by_body, &by_body_end, factor, &mut of_body);
+                add_friction(grip, first, body, forces);
+                add_product(&grip.by_element, &by_end, factor, &mut own.element);
+                add_product(&grip.by_element, &by_body_end, factor, &mut own.by_body);
+                add_product(&grip.by_body, &by_end, factor, &mut own.by_element);
+                add_product(&grip.by_body, &by_body_end, factor, &mut own.body);
             });
-            for own in [&by_body, &by_element] {
-                let block = pairs.next().expect("a contact with a body has two blocks an element");
-                tangent.block_mut(block).copy_from_slice(own);
+            let body = self.bodies.iter().position(|own| own.start == start).expect("the body is of this system");
+            let parts: [(usize, &[f64]); 4] = [
+                (layout.element(number), &own.element),
+                (blocks[0], &own.by_body),
+                (blocks[1], &own.by_element),
+                (layout.body(body), &own.body),
+            ];
+            for (block, part) in parts {
+                tangent.block_mut(block).iter_mut().zip(part).for_each(|(sum, value)| *sum += value);
             }
-            if touches {
+        }
+    }
+
+    /// Adds `factor` times the derivative of the normal forces with respect to the velocities, at an instant with the
+    /// velocities `velocity`, to the first blocks of `tangent`.
+    pub(super) fn add_contact_damping(&self, c: &Configuration, velocity: &[f64], factor: f64, tangent: &mut Blocks) {
+        let layout = TangentLayout::of(self);
+        let (mut pairs, passage) = (layout.contact_pairs(), Passage::with_velocity(velocity));
+        for (contact, number, element) in self.contact_elements() {
+            let body = contact.body().map(|start| {
                 let body = self.bodies.iter().position(|own| own.start == start).expect("the body is of this system");
-                let own = tangent.block_mut(layout.element(number));
-                own.iter_mut().zip(&of_element).for_each(|(own, part)| *own += part);
-                let own = tangent.block_mut(layout.body(body));
-                own.iter_mut().zip(&of_body).for_each(|(own, part)| *own += part);
-            }
+                let mut next = || pairs.next().expect("a contact with a body has two blocks an element");
+                ([next(), next()], layout.body(body))
+            });
+            contact.each_touch(element, c, &passage, |touch| {
+                if touch.damping == Mat3::zeros() {
+                    return;
+                }
+                let own = Touch { force: Vec3::zeros(), stiffness: touch.damping, ..*touch };
+                add_to_element(&own, factor, tangent.block_mut(layout.element(number)));
+                if let Some(([by_body, by_element], of_body)) = body {
+                    let [mut one, mut other] = [[0.0; ELEMENT * BODY], [0.0; ELEMENT * BODY]];
+                    add_with_body(&own, factor, &mut one, &mut other, tangent.block_mut(of_body));
+                    for (block, part) in [(by_body, &one), (by_element, &other)] {
+                        tangent.block_mut(block).iter_mut().zip(part).for_each(|(sum, value)| *sum += value);
+                    }
+                }
+            });
         }
     }
 

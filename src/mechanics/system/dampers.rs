@@ -135,6 +135,7 @@ impl System {
         self.add_spring_and_mass_damping(c, factor, tangent, |spring, coordinate| {
             spring.damping_matrix(coordinate, c, velocity)
         });
+        self.add_contact_damping(c, velocity, factor, tangent);
     }
 
     /// Sets the first blocks of `tangent` to the derivative of all forces with respect to the velocities at rest, under
@@ -144,6 +145,7 @@ impl System {
         self.set_material_damping_at_rest(c, tangent);
         self.add_effort_damping(c, &rest, excitation, 1.0, tangent);
         self.add_spring_and_mass_damping(c, 1.0, tangent, |spring, coordinate| spring.damping_at_rest(coordinate, c));
+        self.add_contact_damping(c, &rest, 1.0, tangent);
     }
 
     /// [`Self::set_damping_at_rest`] of the beams' material alone.

@@ -97,8 +97,7 @@ impl System {
         self.add_springs(c, passage, forces);
         self.set_spring_tangent(c, passage, scale, tangent);
         self.set_effort_tangent(c, passage, excitation, scale, tangent);
-        self.add_contact_forces(c, passage, forces);
-        self.set_contact_tangent(c, passage, scale, tangent);
+        self.add_contacts_and_set_tangent(c, passage, scale, forces, tangent);
     }
 
     // Each on its own: as parts of one function the matrices of beams, loads and springs would stand on the stack

@@ -228,7 +228,10 @@ impl System {
 
     /// Whether a spring or a material has damping.
     pub fn is_damped(&self) -> bool {
-        self.springs.iter().any(Spring::is_damped) || self.has_material_damping() || self.has_mass_damping()
+        self.springs.iter().any(Spring::is_damped)
+            || self.contacts.iter().any(|contact| contact.law.damping != 0.0)
+            || self.has_material_damping()
+            || self.has_mass_damping()
     }
 
     /// Number of coordinates: those of the nodes, then those of the bodies.

@@ -3,5 +3,6 @@
 mod derivatives;
 mod energy;
 mod friction;
+mod sheave;
 mod states;
 mod statics;
