@@ -78,6 +78,24 @@ impl Blocks {
         self.values.fill(0.0);
     }
 
+    /// The blocks that lie in the first `size` rows and columns, in their order.
+    #[must_use]
+    pub fn leading(&self, size: usize) -> Self {
+        let mut own = Self::default();
+        for (number, block) in self.layout.iter().enumerate() {
+            if block.row + block.rows <= size && block.column + block.columns <= size {
+                let place = own.push(*block);
+                own.block_mut(place).copy_from_slice(self.block(number));
+            }
+        }
+        own
+    }
+
+    /// Changes the sign of all values.
+    pub fn negate(&mut self) {
+        self.values.iter_mut().for_each(|value| *value = -*value);
+    }
+
     /// `target += self · vector`.
     pub fn multiply_add(&self, vector: &[f64], target: &mut [f64]) {
         let mut value = 0;

@@ -5,6 +5,7 @@
 
 pub mod dynamics;
 pub mod linear;
+pub mod linearization;
 pub mod modes;
 pub mod newton;
 pub mod sensitivity;

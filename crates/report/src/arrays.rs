@@ -13,6 +13,8 @@ pub enum Array<'a> {
     Integers(Vec<i32>),
     /// Texts; numpy pads them to one length.
     Words(Vec<&'a str>),
+    /// A matrix of doubles, column after column, with so many rows.
+    Matrix(&'a [f64], usize),
 }
 
 /// The bytes of an archive of named arrays, not compressed, because doubles hardly shrink. The same arrays give the
@@ -45,6 +47,9 @@ impl Array<'_> {
             Self::Integers(values) => {
                 ("<i4".to_owned(), values.len(), values.iter().flat_map(|value| value.to_le_bytes()).collect())
             }
+            Self::Matrix(values, _) => {
+                ("<f8".to_owned(), values.len(), values.iter().flat_map(|value| value.to_le_bytes()).collect())
+            }
             Self::Words(words) => {
                 let longest = words.iter().map(|word| word.chars().count()).max().unwrap_or(0).max(1);
                 let padded =
@@ -53,11 +58,15 @@ impl Array<'_> {
                 (format!("<U{longest}"), words.len(), values.collect())
             }
         };
-        let header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({count},), }}");
+        let (order, shape) = match self {
+            Self::Matrix(_, rows) => ("True", format!("({rows}, {})", count.checked_div(*rows).unwrap_or(0))),
+            _ => ("False", format!("({count},)")),
+        };
+        let header = format!("{{'descr': '{kind}', 'fortran_order': {order}, 'shape': {shape}, }}");
         // Ten bytes stand before the header, a line feed ends it, and the values begin at a multiple of 64.
         let length = (10 + header.len() + 1).next_multiple_of(64) - 10;
         let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-        // An array of one dimension has a header of less than 118 bytes.
+        // A header of one or two dimensions has less than 182 bytes.
         bytes.extend((length as u16).to_le_bytes());
         bytes.extend(format!("{header:<width$}\n", width = length - 1).as_bytes());
         bytes.extend(values);

@@ -9,6 +9,8 @@ pub mod column;
 pub mod draw;
 pub mod errors;
 pub mod extremes;
+pub mod mat;
+pub mod matrices;
 pub mod modes;
 pub mod numbers;
 pub mod overview;

@@ -148,6 +148,15 @@ impl System {
         self.add_contact_damping(c, &rest, 1.0, tangent);
     }
 
+    /// Sets the first blocks of `tangent` to the derivative of all forces with respect to the velocities, at an instant
+    /// with the velocities `velocity` under `excitation`; those of inertia are left out.
+    pub fn set_damping(&self, c: &Configuration, velocity: &[f64], excitation: &Excitation, tangent: &mut Blocks) {
+        let mut forces = vec![0.0; self.coordinates()];
+        tangent.clear();
+        self.add_material_damping_and_tangent(c, velocity, [0.0, 1.0], &mut forces, tangent);
+        self.add_damping_matrix(c, (velocity, excitation), 1.0, tangent);
+    }
+
     /// [`Self::set_damping_at_rest`] of the beams' material alone.
     pub fn set_material_damping_at_rest(&self, c: &Configuration, tangent: &mut Blocks) {
         let rest = vec![0.0; self.coordinates()];

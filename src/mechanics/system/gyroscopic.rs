@@ -165,3 +165,17 @@ pub fn add_rate_tangent(
         (by_slope * scale, by_spin * scale)
     });
 }
+
+/// Adds the derivative of [`add_rate_forces`] with respect to the velocities to the element blocks of `blocks`.
+pub fn add_rate_damping(
+    system: &System,
+    (frames, drives): (&FrameCache, &[Jet]),
+    [velocity, momentum]: [&[f64]; 2],
+    blocks: &mut Blocks,
+) {
+    add_by_node(system, drives, blocks, |own, frame| {
+        let frame = &frames.frames[frame];
+        let force_v = -frame.t.cross_matrix() / (frame.stretch * frame.stretch);
+        (force_v * momentum[own + THETA], spin_force(frame, &vec3(velocity, own + P)))
+    });
+}

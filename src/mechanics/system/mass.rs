@@ -215,4 +215,19 @@ impl System {
             own.rotary.add_gyroscopic(own.frames, own.element.own(vector), factor, block);
         }
     }
+
+    /// Sets `forces` to the velocity terms of the rotary inertia at an instant.
+    pub fn rotary_forces(&self, c: &Configuration, velocity: &[f64], forces: &mut [f64]) {
+        forces.fill(0.0);
+        self.add_rotary_forces(c, &Passage::with_velocity(velocity), forces);
+    }
+
+    /// Sets `forces` to what depends on the coordinates through the masses alone: `M a`, the velocity terms of the
+    /// rotary inertia at an instant, and damping in proportion to mass.
+    pub fn inertia_forces(&self, c: &Configuration, velocity: &[f64], acceleration: &[f64], forces: &mut [f64]) {
+        let passage = Passage::with_velocity(velocity);
+        self.mass_times(MassAt::from(c), acceleration, forces);
+        self.add_rotary_forces(c, &passage, forces);
+        self.add_mass_damping(c, &passage, forces);
+    }
 }

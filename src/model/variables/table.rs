@@ -264,6 +264,11 @@ impl Table {
         system.sensors.iter().map(|sensor| sensor.worst_fiber(&loads).unwrap_or_default()).collect()
     }
 
+    /// Lets rates count in the results of a model whose states are equilibria: they are those of motions about them.
+    pub fn take_motion(&mut self) {
+        self.is_at_rest = false;
+    }
+
     /// How the system passes through `state`.
     pub fn passage<'a>(&self, state: &'a State) -> Passage<'a> {
         if self.is_at_rest { Passage::Rest } else { Passage::of(state) }

@@ -2,6 +2,7 @@
 
 pub mod cholesky;
 mod columns;
+pub mod dense;
 pub mod direct;
 pub mod elimination_tree;
 pub mod front;

@@ -214,7 +214,7 @@ fn size(system: &System, index: usize) -> f64 {
 
 /// Sets the blocks of `kkt` to stiffness and constraints at `state`, whose constraints transmit `multipliers`; returns
 /// them.
-fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt) -> Blocks {
+pub(in crate::solve) fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt) -> Blocks {
     let (mut snapshot, mut excitation) = (FrameCache::default(), Excitation::default());
     let configuration = snapshot.of(system, state);
     system.excite(state.time, &state.targets, &mut excitation);
@@ -237,7 +237,7 @@ fn scales(system: &System, mass: MassAt, stiffness: &Blocks, response: &Response
 }
 
 /// Size of the correction by which Newton would go to the equilibrium from where the system has this `acceleration`.
-fn imbalance(system: &System, mass: MassAt, acceleration: &[f64], kkt: &mut Kkt) -> f64 {
+pub(in crate::solve) fn imbalance(system: &System, mass: MassAt, acceleration: &[f64], kkt: &mut Kkt) -> f64 {
     let mut right = vec![0.0; system.coordinates() + system.constraints()];
     system.mass_times(mass, acceleration, &mut right[..system.coordinates()]);
     // Without a solution it is far from any.

@@ -1,0 +1,214 @@
+//! `linearize`: the matrices of a mechanism about a state, as a file for control toolboxes, and its poles as a table.
+
+use super::output::{self, Input};
+use super::{Stop, complain, failed, say, start, voice};
+use ancf14::fmi::Model;
+use ancf14::model::linear::{Linear, Pole, PoleKind};
+use ancf14::model::simulation::Simulation;
+use ancf14_report::matrices::{System, word};
+use ancf14_report::numbers::significant;
+use serde_json::{Value, json};
+use std::f64::consts::TAU;
+use std::path::{Path, PathBuf};
+
+/// What is asked for.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Wishes {
+    /// The state: equilibrium, start, or a time of the run, s [default: start, of which simulation.initial decides
+    /// whether it is an equilibrium]
+    #[arg(long, value_name = "STATE", value_parser = at, default_value = "start", hide_default_value = true, allow_negative_numbers = true)]
+    pub at: At,
+    /// Inputs of the linear system, separated by commas: inputs of the model by name, vectors as a whole, and the
+    /// motion of a drive as NAME.acceleration [default: all inputs of the model]
+    #[arg(long, value_name = "NAMES", value_parser = names)]
+    inputs: Option<Names>,
+    /// Its outputs, separated by commas: columns of results by name, vectors as a whole [default: all outputs of the
+    /// model]
+    #[arg(long, value_name = "NAMES", value_parser = names)]
+    outputs: Option<Names>,
+    /// Print the softest N poles as a table [default of N: 20]; without --output it is printed anyway
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, value_parser = super::modes::count)]
+    poles: Option<Option<u16>>,
+    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, or .json
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// The state that a mechanism is linearized about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum At {
+    /// The equilibrium next to the drawing.
+    Equilibrium,
+    /// The start of the run.
+    Start,
+    /// A time of the run, s.
+    Time(f64),
+}
+
+/// Names that were separated by commas.
+#[derive(Clone, Debug)]
+struct Names(Vec<String>);
+
+/// Poles of the table where no number is given.
+const POLES: u16 = 20;
+/// Significant digits of frequencies, and of damping ratios.
+const DIGITS: usize = 6;
+const RATIO_DIGITS: usize = 4;
+
+fn at(text: &str) -> Result<At, String> {
+    match text {
+        "equilibrium" => Ok(At::Equilibrium),
+        "start" => Ok(At::Start),
+        _ => {
+            let time = text.parse().ok().filter(|time: &f64| time.is_finite() && *time >= 0.0);
+            time.map(At::Time).ok_or_else(|| "equilibrium, start or a time from 0 on, in s, was expected".to_owned())
+        }
+    }
+}
+
+/// Splits at commas that are not in brackets: `shape.position[1,2]` is one name.
+#[expect(clippy::unnecessary_wraps, reason = "the shape of a parser of arguments")]
+fn names(text: &str) -> Result<Names, String> {
+    let mut names = vec![String::new()];
+    let mut depth = 0_i32;
+    for letter in text.chars() {
+        depth += i32::from(letter == '[') - i32::from(letter == ']');
+        match names.last_mut() {
+            Some(last) if letter != ',' || depth > 0 => last.push(letter),
+            _ => names.push(String::new()),
+        }
+    }
+    Ok(Names(names.iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect()))
+}
+
+impl Wishes {
+    /// The overrides with which the model is loaded.
+    pub fn overrides(&self) -> Option<(String, String)> {
+        (self.at == At::Equilibrium).then(|| ("simulation.initial".to_owned(), "equilibrium".to_owned()))
+    }
+}
+
+/// The kinds of files.
+#[derive(Clone, Copy, Debug)]
+enum Format {
+    Npz,
+    Mat,
+    Json,
+}
+
+impl Format {
+    fn of(path: &Path) -> Result<Self, Stop> {
+        match path.extension().and_then(|extension| extension.to_str()) {
+            Some("npz") => Ok(Self::Npz),
+            Some("mat") => Ok(Self::Mat),
+            Some("json") => Ok(Self::Json),
+            _ => Err(Stop::Bad(format!(
+                "error: {} has no ending that says what it is; give a file that ends in .npz, .mat or .json",
+                path.display()
+            ))),
+        }
+    }
+}
+
+/// Linearizes, and writes what is asked for.
+pub fn linearize(mut simulation: Simulation, wishes: &Wishes, inputs: &[Input<'_>]) -> Result<(), Stop> {
+    let format = wishes.output.as_deref().map(Format::of).transpose()?;
+    output::spare(inputs, wishes.output.as_slice())?;
+    let stop = simulation.about().stop;
+    if let At::Time(time) = wishes.at
+        && time > stop
+    {
+        return Err(Stop::Bad(format!("error: --at {time} is after the end of the run: simulation.stop is {stop} s")));
+    }
+    start(&mut simulation)?;
+    if let At::Time(time) = wishes.at
+        && time > 0.0
+    {
+        let advanced = simulation.advance(time);
+        simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
+        advanced.map_err(|failure| failed(&simulation, &failure))?;
+    }
+    let asked = |names: &Option<Names>| names.as_ref().map(|names| names.0.clone());
+    let (asked_inputs, asked_outputs) = (asked(&wishes.inputs), asked(&wishes.outputs));
+    let found = simulation.linearize(asked_inputs.as_deref(), asked_outputs.as_deref());
+    let found = found.map_err(|failure| failed(&simulation, &failure))?;
+    found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
+    let prints = wishes.poles.is_some() || wishes.output.is_none();
+    let poles = match found.poles(&simulation) {
+        Ok(poles) => poles,
+        Err(failure) if prints => return Err(failed(&simulation, &failure)),
+        Err(failure) => {
+            complain(&format!("warning: {}: the file has no poles", failure.message));
+            Vec::new()
+        }
+    };
+    let name = simulation.about().name.clone();
+    let system = System { linear: &found, poles: &poles, model: &name, version: env!("CARGO_PKG_VERSION") };
+    if let (Some(path), Some(format)) = (&wishes.output, format) {
+        let bytes = match format {
+            Format::Npz => system.npz().map_err(|reason| Stop::Failed(format!("error: cannot write the archive: {reason}")))?,
+            Format::Mat => system.mat(),
+            Format::Json => system.json().into_bytes(),
+        };
+        output::write(path, &bytes)?;
+    }
+    if voice::is_json() {
+        voice::deliver(document(&found, &poles));
+        return Ok(());
+    }
+    if prints {
+        say(&table(&poles, usize::from(wishes.poles.flatten().unwrap_or(POLES))))?;
+    }
+    let Linear { states, inputs, outputs, time, .. } = &found;
+    let counts = format!("{} states, {} inputs, {} outputs at t = {time} s", states.len(), inputs.len(), outputs.len());
+    match &wishes.output {
+        Some(path) => say(&format!("{counts}: {}", path.display())),
+        None => say(&counts),
+    }
+}
+
+/// The poles and names for programs.
+fn document(found: &Linear, poles: &[Pole]) -> Value {
+    let names = |signals: &[ancf14::model::linear::Signal]| {
+        signals.iter().map(|signal| signal.name.clone()).collect::<Vec<_>>()
+    };
+    let pole = |pole: &Pole| {
+        let [real, imaginary] = pole.value;
+        json!({
+            "kind": word(pole.kind),
+            "real": real,
+            "imaginary": imaginary,
+            "frequency": pole.natural_frequency() / TAU,
+            "damped_frequency": imaginary / TAU,
+            "damping_ratio": pole.damping_ratio(),
+        })
+    };
+    json!({
+        "time": found.time,
+        "states": names(&found.states),
+        "inputs": names(&found.inputs),
+        "outputs": names(&found.outputs),
+        "poles": poles.iter().map(pole).collect::<Vec<_>>(),
+    })
+}
+
+/// The softest `count` poles as a table.
+fn table(poles: &[Pole], count: usize) -> String {
+    let head = ["pole", "frequency Hz", "damped Hz", "damping ratio", "real 1/s", "kind"];
+    let mut rows = vec![head.map(str::to_owned)];
+    for (number, pole) in poles.iter().take(count).enumerate() {
+        let [real, imaginary] = pole.value;
+        let cells = match pole.kind {
+            PoleKind::Rigid => [String::new(), String::new(), String::new(), String::new()],
+            _ => [
+                significant(pole.natural_frequency() / TAU, DIGITS),
+                significant(imaginary / TAU, DIGITS),
+                significant(pole.damping_ratio(), RATIO_DIGITS),
+                significant(real, DIGITS),
+            ],
+        };
+        let [frequency, damped, ratio, real] = cells;
+        rows.push([(number + 1).to_string(), frequency, damped, ratio, real, word(pole.kind).to_owned()]);
+    }
+    super::check::aligned(&rows).trim_end().to_owned()
+}

@@ -1,0 +1,214 @@
+//! Independent coordinates: as many of the system's as the constraints leave, in which all changes are told.
+//!
+//! The turn of a body about fixed axes, `½ Σ d × dd` over its directors `d`, stands for its directors, which are never
+//! independent: those of a body that turns would be the coordinates of a rotating frame.
+
+use crate::math::Vec3;
+use crate::math::blocks::Blocks;
+use crate::math::vectors::vec3;
+use crate::mechanics::beam::ancf14::coordinates::{P, THETA};
+use crate::mechanics::beam::node::Node;
+use crate::mechanics::body::kinematics::BODY;
+use crate::mechanics::system::System;
+use crate::solve::linear::dense::{Dense, PivotedQr};
+
+/// How much rather coordinates of bodies depend on the others than those of nodes, and directors than both.
+const BODY_WEIGHT: f64 = 1e3;
+const DIRECTOR_WEIGHT: f64 = 1e6;
+/// Share of a condition that is left when it follows from others: round-off, times the weights.
+const ROUND_OFF: f64 = 1e-12;
+/// Coordinates of a place, the first ones of every node and body.
+const PLACE: usize = 3;
+
+/// An independent coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Independent {
+    /// One of the system's.
+    Coordinate(usize),
+    /// The turn of a body about a fixed axis.
+    Turn {
+        /// The number of the body.
+        body: usize,
+        /// The axis.
+        axis: usize,
+    },
+}
+
+/// The independent coordinates, and how all others follow them.
+#[derive(Clone, Debug)]
+pub struct Selection {
+    /// The coordinates.
+    pub chosen: Vec<Independent>,
+    /// Changes of all coordinates with each of them, which the constraints allow: a column each.
+    pub shapes: Dense,
+}
+
+impl Selection {
+    /// Of the constraints whose gradients are in `kkt_blocks`, at the coordinates `q`. None: they are redundant, or
+    /// there is nothing that can move.
+    pub fn new(system: &System, kkt_blocks: &Blocks, q: &[f64], released: usize) -> Option<Self> {
+        let (coordinates, conditions) = (system.coordinates(), system.constraints());
+        let turns = PLACE * system.bodies.len();
+        let mut gradient = Dense::zeros(conditions + turns, coordinates + turns);
+        for (number, block) in kkt_blocks.layout().iter().enumerate() {
+            if block.row < coordinates || block.column >= coordinates {
+                continue;
+            }
+            for (place, value) in kkt_blocks.block(number).iter().enumerate() {
+                let (row, column) = (block.row - coordinates + place % block.rows, block.column + place / block.rows);
+                gradient.column_mut(column)[row] += value;
+            }
+        }
+        for (body, own) in system.bodies.iter().enumerate() {
+            for axis in 0..PLACE {
+                let row = conditions + PLACE * body + axis;
+                for local in PLACE..BODY {
+                    let mut director = [0.0; PLACE];
+                    director[local % PLACE] = 1.0;
+                    let turn = vec3(q, own.start + local - local % PLACE).cross(&Vec3::from(director)) * 0.5;
+                    gradient.column_mut(own.start + local)[row] = turn[axis];
+                }
+                gradient.column_mut(coordinates + PLACE * body + axis)[row] = -1.0;
+            }
+        }
+        let weights: Vec<f64> = (0..coordinates + turns).map(|index| weight(system, index)).collect();
+        scale(&mut gradient, &weights);
+        let wanted = conditions + turns - released;
+        let factor = PivotedQr::new(gradient, ROUND_OFF);
+        if factor.rank < wanted || factor.rank == factor.order.len() {
+            return None;
+        }
+        let rank = factor.rank;
+        let mut columns: Vec<usize> = (rank..factor.order.len()).collect();
+        columns.sort_by_key(|column| factor.order[*column]);
+        let mut shapes = Dense::zeros(coordinates, columns.len());
+        for (number, column) in columns.iter().enumerate() {
+            let own = factor.order[*column];
+            let shape = shapes.column_mut(number);
+            if own < coordinates {
+                shape[own] = 1.0;
+            }
+            for (dependent, share) in factor.order[..rank].iter().zip(factor.combination(*column)) {
+                if *dependent < coordinates {
+                    shape[*dependent] = -share * weights[*dependent] / weights[own];
+                }
+            }
+        }
+        let chosen = columns.iter().map(|column| match factor.order[*column] {
+            own if own < coordinates => Independent::Coordinate(own),
+            own => Independent::Turn { body: (own - coordinates) / PLACE, axis: (own - coordinates) % PLACE },
+        });
+        Some(Self { chosen: chosen.collect(), shapes })
+    }
+
+    /// The name of each: `arm.node[3].position[2]`, `.slope[2]`, `.twist`; `cart.position[1]`, `.rotation[2]`.
+    pub fn names(&self, system: &System) -> Vec<String> {
+        self.chosen.iter().map(|own| name(system, *own)).collect()
+    }
+
+    /// The unit of each.
+    pub fn units(&self, system: &System) -> Vec<&'static str> {
+        let unit = |own: &Independent| match *own {
+            Independent::Coordinate(index) if system.is_place(index) => "m",
+            Independent::Coordinate(index) if is_gradient(system, index) => "1",
+            _ => "rad",
+        };
+        self.chosen.iter().map(unit).collect()
+    }
+
+    /// Sets `own` to the independent ones of changes: of the coordinates themselves, `rates` is 0 and `values` are
+    /// these; of their rates, `values` are the rates of the system's coordinates, and `rates` what the turns of bodies
+    /// have besides, as pairs of directors' factors and changes.
+    pub(super) fn read(&self, system: &System, pairs: &[(f64, &[f64], &[f64])], values: &[f64], own: &mut [f64]) {
+        for (target, chosen) in own.iter_mut().zip(&self.chosen) {
+            *target = match *chosen {
+                Independent::Coordinate(index) => values[index],
+                Independent::Turn { body, axis } => {
+                    let start = system.bodies[body].start;
+                    let mut sum = 0.0;
+                    for (factor, left, right) in pairs {
+                        for director in (PLACE..BODY).step_by(PLACE) {
+                            let place = start + director;
+                            sum += 0.5 * factor * vec3(left, place).cross(&vec3(right, place))[axis];
+                        }
+                    }
+                    sum
+                }
+            };
+        }
+    }
+}
+
+/// How rather coordinate `index` depends on the others, in its own unit.
+fn weight(system: &System, index: usize) -> f64 {
+    let nodes = system.mesh.coordinates();
+    if index < nodes {
+        if system.is_place(index) { system.size } else { 1.0 }
+    } else if index >= system.coordinates() {
+        BODY_WEIGHT
+    } else if system.is_place(index) {
+        BODY_WEIGHT * system.size
+    } else {
+        DIRECTOR_WEIGHT
+    }
+}
+
+/// Multiplies the columns by their weights, and rows so that the largest entries are 1.
+fn scale(matrix: &mut Dense, weights: &[f64]) {
+    let mut largest = vec![0.0_f64; matrix.rows];
+    for (number, weight) in weights.iter().enumerate() {
+        for (value, largest) in matrix.column_mut(number).iter_mut().zip(&mut largest) {
+            *value *= weight;
+            *largest = largest.max(value.abs());
+        }
+    }
+    for number in 0..weights.len() {
+        for (value, largest) in matrix.column_mut(number).iter_mut().zip(&largest) {
+            if *largest > 0.0 {
+                *value /= largest;
+            }
+        }
+    }
+}
+
+/// Whether coordinate `index` is a slope or another gradient of a node.
+fn is_gradient(system: &System, index: usize) -> bool {
+    if index >= system.mesh.coordinates() {
+        return false;
+    }
+    let node = &system.mesh.nodes[system.mesh.node_of(index)];
+    !matches!(node, Node::Ancf14 { start, .. } if index - start == THETA)
+}
+
+fn name(system: &System, own: Independent) -> String {
+    let index = match own {
+        Independent::Turn { body, axis } => return format!("{}.rotation[{}]", system.bodies[body].name, axis + 1),
+        Independent::Coordinate(index) => index,
+    };
+    if index >= system.mesh.coordinates() {
+        let local = index - system.mesh.coordinates();
+        let (body, local) = (&system.bodies[local / BODY].name, local % BODY);
+        return match local {
+            0..PLACE => format!("{body}.position[{}]", local + 1),
+            _ => format!("{body}.director[{},{}]", local / PLACE, local % PLACE + 1),
+        };
+    }
+    let number = system.mesh.node_of(index);
+    let node = &system.mesh.nodes[number];
+    let beam = system.beams.iter().find(|beam| beam.node_range().contains(&number));
+    let label = beam.map_or_else(
+        || format!("node[{number}]"),
+        |beam| {
+            let end = beam.end_of(number);
+            let side = if beam.node(end) == number { "" } else { ".after" };
+            format!("{}.node[{end}]{side}", beam.name)
+        },
+    );
+    let local = index - node.coordinates().start;
+    match (node, local) {
+        (_, 0..PLACE) => format!("{label}.position[{}]", local + 1),
+        (Node::Ancf14 { .. }, THETA) => format!("{label}.twist"),
+        _ if local < P + PLACE => format!("{label}.slope[{}]", local - P + 1),
+        _ => format!("{label}.gradient[{},{}]", local / PLACE, local % PLACE + 1),
+    }
+}
