@@ -1,10 +1,12 @@
 //! A simulation, its variables, steps and saved states.
 
+use crate::linear::LinearSystem;
 use crate::models::{self, FoundModes};
 use crate::refusal::{located, refusal};
 use crate::run::{self, Outcome};
 use ancf14::error::decimal;
 use ancf14::fmi::{Model, Value};
+use ancf14::model::entries::simulation::{Analysis, Initial};
 use ancf14::model::rows;
 use ancf14::model::simulation::Halt;
 use ancf14::{Error, Kind, Reach};
@@ -131,6 +133,29 @@ impl Simulation {
         let simulation = self.get()?;
         let found = py.detach(|| simulation.modes(count)).map_err(|error| located(simulation, &error))?;
         Ok(models::modes(&found))
+    }
+
+    /// Whether the simulation begins at an equilibrium.
+    fn begins_at_equilibrium(&self) -> PyResult<bool> {
+        let settings = &self.get()?.model().document().simulation;
+        Ok(settings.analysis == Analysis::Static || settings.initial == Initial::Equilibrium)
+    }
+
+    /// The linear system about the state that is reached.
+    fn linearize(
+        &self,
+        py: Python<'_>,
+        inputs: Option<Vec<String>>,
+        outputs: Option<Vec<String>>,
+    ) -> PyResult<LinearSystem> {
+        let simulation = self.get()?;
+        let found = py.detach(|| {
+            let linear = simulation.linearize(inputs.as_deref(), outputs.as_deref())?;
+            let poles = linear.poles(simulation.model()).map_err(|failure| failure.message);
+            Ok((linear, poles))
+        });
+        let (linear, poles) = found.map_err(|error| located(simulation, &error))?;
+        Ok(LinearSystem::new(linear, poles, simulation.model().about().name.clone()))
     }
 
     /// The drawing of the mechanism, SVG.

@@ -20,6 +20,7 @@ use crate::fmi::lifecycle::{Call, Mode};
 use crate::fmi::variable::Variable as Row;
 use crate::fmi::{About, Model, Value};
 use crate::model::file::{Folder, Reach};
+use crate::model::linear::Linear;
 use crate::model::modes::Modes;
 use crate::model::simulation::{Halt, Placement};
 use crate::model::{self, effort, file, names, notes};
@@ -350,6 +351,22 @@ impl Simulation {
     pub fn modes(&self, count: usize) -> Result<Modes, Error> {
         match self.is_initialized() {
             true => self.instance.model().modes(count).map_err(|failure| Error::Failed { reason: failure.message }),
+            false => Err(Error::NotInitialized),
+        }
+    }
+
+    /// The linear system about the state that is reached: exact matrices from `inputs` to `outputs`, each by its name
+    /// or by that of a vector; none: all inputs of the model, all quantities of its outputs.
+    ///
+    /// # Errors
+    /// The simulation is not initialized, a name is not known, or nothing can move.
+    pub fn linearize(&self, inputs: Option<&[String]>, outputs: Option<&[String]>) -> Result<Linear, Error> {
+        match self.is_initialized() {
+            true => self
+                .instance
+                .model()
+                .linearize(inputs, outputs)
+                .map_err(|failure| Error::Failed { reason: failure.message }),
             false => Err(Error::NotInitialized),
         }
     }

@@ -1,6 +1,6 @@
 //! Linear systems, Newton, equilibria, natural modes, steps in time and their derivatives.
 //!
-//! The rooms are a stack, the lowest first: `linear`, `newton`, `step`, `modes` and `sensitivity`, `statics`,
+//! The rooms are a stack, the lowest first: `linear`, `newton`, `step`, `modes` and `sensitivity`, `linearization`, `statics`,
 //! `dynamics`.
 
 pub mod dynamics;

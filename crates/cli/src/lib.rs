@@ -11,6 +11,7 @@ mod export;
 mod folder;
 mod inputs;
 mod keeper;
+mod linearize;
 mod live;
 mod loading;
 mod modes;
@@ -56,7 +57,7 @@ struct Arguments {
     #[arg(short, long, global = true)]
     quiet: bool,
     /// Answer with one JSON document on the standard output: variables of `check`, extremes of `run`, modes of `modes`,
-    /// warnings and errors of all commands
+    /// poles of `linearize`, warnings and errors of all commands
     #[arg(long, global = true, conflicts_with = "quiet")]
     json: bool,
 }
@@ -144,6 +145,16 @@ enum Command {
         /// Folder for the results [default: <file stem>-results, in the current folder]
         #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
+    },
+    /// Linearize a model about a state: matrices A, B, C, D with named states, inputs and outputs, and its poles
+    ///
+    /// The matrices are exact derivatives, in as many coordinates as the joints leave. An input that prescribes a
+    /// motion is its acceleration; its value and rate are states.
+    Linearize {
+        #[command(flatten)]
+        model: ModelArguments,
+        #[command(flatten)]
+        wishes: linearize::Wishes,
     },
     /// Simulate a model and write a page that shows it in motion: one HTML file, in three dimensions, with charts
     ///
@@ -385,6 +396,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (simulation, _) = model.load()?;
             modes::modes(simulation, wishes, &model.directory(out), &[model.input()])
         }
+        Command::Linearize { model, wishes } => linearize::linearize(&model, &wishes),
         Command::View { model, modes, watch: true, .. } => watch::watch(&model, modes.map(modes::count_or_default)),
         Command::View { model, other, output, modes, live, .. } => {
             let (other, modes) = (other.as_deref(), modes.map(modes::count_or_default));
@@ -417,6 +429,14 @@ fn shown(text: &clap::Error) -> u8 {
 impl ModelArguments {
     fn load(&self) -> Result<(Simulation, String), Stop> {
         load(&self.file, &self.overrides, self.files.reach())
+    }
+
+    /// [`Self::load`] with one more change of the model.
+    fn load_with(&self, key: &str, value: &str) -> Result<Simulation, Stop> {
+        let mut overrides = self.overrides.clone();
+        overrides.retain(|(own, _)| own != key);
+        overrides.push((key.to_owned(), value.to_owned()));
+        load(&self.file, &overrides, self.files.reach()).map(|(simulation, _)| simulation)
     }
 
     /// The model as messages call it.

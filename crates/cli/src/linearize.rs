@@ -1,9 +1,9 @@
 //! `linearize`: the matrices of a mechanism about a state, as a file for control toolboxes, and its poles as a table.
 
-use super::output::{self, Input};
-use super::{Stop, complain, failed, say, start, voice};
+use super::{ModelArguments, Stop, complain, failed, output, say, start, voice};
 use ancf14::fmi::Model;
-use ancf14::model::linear::{Linear, Pole, PoleKind};
+use ancf14::model::entries::simulation::{Analysis, Initial};
+use ancf14::model::linear::{Linear, Pole, PoleKind, Signal};
 use ancf14::model::simulation::Simulation;
 use ancf14_report::matrices::{System, word};
 use ancf14_report::numbers::significant;
@@ -17,7 +17,7 @@ pub struct Wishes {
     /// The state: equilibrium, start, or a time of the run, s [default: start, of which simulation.initial decides
     /// whether it is an equilibrium]
     #[arg(long, value_name = "STATE", value_parser = at, default_value = "start", hide_default_value = true, allow_negative_numbers = true)]
-    pub at: At,
+    at: At,
     /// Inputs of the linear system, separated by commas: inputs of the model by name, vectors as a whole, and the
     /// motion of a drive as NAME.acceleration [default: all inputs of the model]
     #[arg(long, value_name = "NAMES", value_parser = names)]
@@ -81,13 +81,6 @@ fn names(text: &str) -> Result<Names, String> {
     Ok(Names(names.iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect()))
 }
 
-impl Wishes {
-    /// The overrides with which the model is loaded.
-    pub fn overrides(&self) -> Option<(String, String)> {
-        (self.at == At::Equilibrium).then(|| ("simulation.initial".to_owned(), "equilibrium".to_owned()))
-    }
-}
-
 /// The kinds of files.
 #[derive(Clone, Copy, Debug)]
 enum Format {
@@ -110,10 +103,22 @@ impl Format {
     }
 }
 
+/// The model, which begins where it is to be linearized.
+fn load(model: &ModelArguments, at: At) -> Result<Simulation, Stop> {
+    let (simulation, _) = model.load()?;
+    let settings = &simulation.document().simulation;
+    let begins_there = settings.analysis == Analysis::Static || settings.initial == Initial::Equilibrium;
+    if at != At::Equilibrium || begins_there {
+        return Ok(simulation);
+    }
+    model.load_with("simulation.initial", "equilibrium")
+}
+
 /// Linearizes, and writes what is asked for.
-pub fn linearize(mut simulation: Simulation, wishes: &Wishes, inputs: &[Input<'_>]) -> Result<(), Stop> {
+pub fn linearize(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
     let format = wishes.output.as_deref().map(Format::of).transpose()?;
-    output::spare(inputs, wishes.output.as_slice())?;
+    output::spare(&[model.input()], wishes.output.as_slice())?;
+    let mut simulation = load(model, wishes.at)?;
     let stop = simulation.about().stop;
     if let At::Time(time) = wishes.at
         && time > stop
@@ -146,7 +151,9 @@ pub fn linearize(mut simulation: Simulation, wishes: &Wishes, inputs: &[Input<'_
     let system = System { linear: &found, poles: &poles, model: &name, version: env!("CARGO_PKG_VERSION") };
     if let (Some(path), Some(format)) = (&wishes.output, format) {
         let bytes = match format {
-            Format::Npz => system.npz().map_err(|reason| Stop::Failed(format!("error: cannot write the archive: {reason}")))?,
+            Format::Npz => {
+                system.npz().map_err(|reason| Stop::Failed(format!("error: cannot write the archive: {reason}")))?
+            }
             Format::Mat => system.mat(),
             Format::Json => system.json().into_bytes(),
         };
@@ -169,9 +176,7 @@ pub fn linearize(mut simulation: Simulation, wishes: &Wishes, inputs: &[Input<'_
 
 /// The poles and names for programs.
 fn document(found: &Linear, poles: &[Pole]) -> Value {
-    let names = |signals: &[ancf14::model::linear::Signal]| {
-        signals.iter().map(|signal| signal.name.clone()).collect::<Vec<_>>()
-    };
+    let names = |signals: &[Signal]| signals.iter().map(|signal| signal.name.clone()).collect::<Vec<_>>();
     let pole = |pole: &Pole| {
         let [real, imaginary] = pole.value;
         json!({

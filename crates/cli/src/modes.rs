@@ -5,13 +5,15 @@ use super::output::Input;
 use super::{Stop, complain, failed, page, say, start, voice};
 use ancf14::fmi::Model;
 use ancf14::model::entries::simulation::Analysis;
-use ancf14::model::modes::{Kind, Mode, Modes};
+use ancf14::model::linear::PoleKind;
+use ancf14::model::modes::{DampedMode, Kind, Mode, Modes};
 use ancf14::model::simulation::Simulation;
 use ancf14_report::modes::{digits, pace, word};
 use ancf14_report::numbers::significant;
-use ancf14_report::{modes, shapes};
+use ancf14_report::{matrices, modes, shapes};
 use ancf14_view::Film;
 use serde_json::{Value, json};
+use std::f64::consts::TAU;
 use std::path::Path;
 
 /// What is asked for.
@@ -26,6 +28,10 @@ pub struct Wishes {
     /// Also write modes.html, a page with the vibrating shapes
     #[arg(long)]
     view: bool,
+    /// Find the modes with damping instead, exactly: frequency, damped frequency, damping ratio, and whether a mode
+    /// vibrates or fades without a vibration; damped_modes.csv
+    #[arg(long, conflicts_with = "view")]
+    damped: bool,
 }
 
 /// Significant digits of a damping ratio, which is of first order.
@@ -34,6 +40,8 @@ const RATIO_DIGITS: usize = 4;
 const COUNT: u16 = 10;
 /// The page in which the shapes swing.
 const PAGE: &str = "modes.html";
+/// The modes with damping.
+const DAMPED: &str = "damped_modes.csv";
 /// What is always written.
 const FILES: [&str; 3] = ["modes.csv", "shapes.csv", "modes.svg"];
 
@@ -67,15 +75,15 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
         )));
     }
     let mut folder = Folder::open(directory)?;
+    if wishes.damped {
+        folder.claim("modes", &simulation.about().guid, &[DAMPED.to_owned()], inputs)?;
+        arrive(&mut simulation, wishes)?;
+        return damped(&simulation, wishes, &mut folder, directory);
+    }
     let names = FILES.iter().chain(wishes.view.then_some(&PAGE)).map(|name| (*name).to_owned());
     folder.claim("modes", &simulation.about().guid, &names.collect::<Vec<_>>(), inputs)?;
     let film = wishes.view.then(|| Film::new(&simulation, 0));
-    start(&mut simulation)?;
-    if let Some(time) = wishes.time.filter(|time| *time > 0.0) {
-        let advanced = simulation.advance(time);
-        simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
-        advanced.map_err(|failure| failed(&simulation, &failure))?;
-    }
+    arrive(&mut simulation, wishes)?;
     let found = simulation.modes(usize::from(wishes.count.unwrap_or(COUNT)));
     let found = found.map_err(|failure| failed(&simulation, &failure))?;
     if let Some(count) = wishes.count.filter(|count| usize::from(*count) > found.modes.len()) {
@@ -102,13 +110,69 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
     say(&format!("modes.csv, shapes.csv and modes.svg in {}", directory.display()))
 }
 
+/// Takes the simulation to the state that is asked for.
+fn arrive(simulation: &mut Simulation, wishes: Wishes) -> Result<(), Stop> {
+    start(simulation)?;
+    if let Some(time) = wishes.time.filter(|time| *time > 0.0) {
+        let advanced = simulation.advance(time);
+        simulation.take_warnings().iter().for_each(|warning| complain(&format!("warning: {warning}")));
+        advanced.map_err(|failure| failed(simulation, &failure))?;
+    }
+    Ok(())
+}
+
+/// Finds the modes with damping, and writes them.
+fn damped(simulation: &Simulation, wishes: Wishes, folder: &mut Folder, directory: &Path) -> Result<(), Stop> {
+    let found = simulation.damped_modes(usize::from(wishes.count.unwrap_or(COUNT)));
+    let (found, all) = found.map_err(|failure| failed(simulation, &failure))?;
+    if let Some(count) = wishes.count.filter(|count| usize::from(*count) > all) {
+        complain(&format!("warning: {count} modes were asked for, but the mechanism has only {all}"));
+    }
+    if simulation.system().has_dry_friction() {
+        complain("warning: dry friction is left out of the modes: what it takes depends on the amplitude");
+    }
+    folder.write(DAMPED, &modes::damped_list(&found))?;
+    if voice::is_json() {
+        let mode = |mode: &DampedMode| {
+            let [real, imaginary] = mode.value;
+            json!({
+                "kind": matrices::word(mode.kind),
+                "real": real,
+                "imaginary": imaginary,
+                "frequency": mode.natural_frequency / TAU,
+                "damped_frequency": imaginary / TAU,
+                "damping_ratio": mode.damping_ratio,
+                "moves": mode.moves,
+            })
+        };
+        voice::deliver(json!({ "damped_modes": found.iter().map(mode).collect::<Vec<_>>() }));
+        return Ok(());
+    }
+    let head = ["mode", "frequency Hz", "damped Hz", "damping ratio", "kind", "moves most"];
+    let mut rows = vec![head.map(str::to_owned)];
+    for (number, mode) in found.iter().enumerate() {
+        let [frequency, damped, ratio] = match mode.kind {
+            PoleKind::Rigid => [const { String::new() }; 3],
+            _ => [
+                digits(mode.natural_frequency / TAU),
+                digits(mode.value[1] / TAU),
+                significant(mode.damping_ratio, RATIO_DIGITS),
+            ],
+        };
+        let kind = matrices::word(mode.kind).to_owned();
+        rows.push([(number + 1).to_string(), frequency, damped, ratio, kind, mode.moves.clone()]);
+    }
+    say(super::check::aligned(&rows).trim_end())?;
+    say(&format!("{DAMPED} in {}", directory.display()))
+}
+
 /// The modes for programs.
 fn document(found: &Modes) -> Value {
     let mode = |mode: &Mode| {
         let omega = mode.angular_frequency();
         json!({
             "kind": word(mode),
-            "frequency": omega / std::f64::consts::TAU,
+            "frequency": omega / TAU,
             "angular_frequency": omega,
             "growth_rate": mode.growth_rate(),
             "eigenvalue": mode.eigenvalue,
@@ -125,9 +189,7 @@ fn table(found: &Modes) -> String {
     for (number, mode) in found.modes.iter().enumerate() {
         let omega = mode.angular_frequency();
         let [frequency, omega, ratio] = match mode.kind {
-            Kind::Vibration => {
-                [digits(omega / std::f64::consts::TAU), digits(omega), significant(mode.damping_ratio, RATIO_DIGITS)]
-            }
+            Kind::Vibration => [digits(omega / TAU), digits(omega), significant(mode.damping_ratio, RATIO_DIGITS)],
             Kind::Free | Kind::Unstable => [pace(mode), String::new(), String::new()],
         };
         rows.push([(number + 1).to_string(), frequency, omega, ratio, mode.moves.clone()]);

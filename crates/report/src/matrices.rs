@@ -63,8 +63,9 @@ impl System<'_> {
         let [u0, y0] = [inputs, outputs].map(|signals| values(signals));
         let [real, imaginary] = pole_parts(self.poles);
         let time = [*time];
-        let mut arrays: Vec<(&str, Array<'_>)> =
-            [("A", a), ("B", b), ("C", c), ("D", d)].map(|(name, own)| (name, Array::Matrix(&own.values, own.rows))).into();
+        let mut arrays: Vec<(&str, Array<'_>)> = [("A", a), ("B", b), ("C", c), ("D", d)]
+            .map(|(name, own)| (name, Array::Matrix(&own.values, own.rows)))
+            .into();
         arrays.extend([
             ("u0", Array::Reals(&u0)),
             ("y0", Array::Reals(&y0)),

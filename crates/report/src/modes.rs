@@ -1,7 +1,8 @@
 //! Natural modes as text: their tables as CSV, and how a mode goes on in words.
 
+use crate::matrices;
 use crate::numbers::{shortest, significant};
-use ancf14::model::modes::{Kind, Mode, Modes};
+use ancf14::model::modes::{DampedMode, Kind, Mode, Modes};
 
 /// How a mode goes on, in a few words.
 pub fn pace(mode: &Mode) -> String {
@@ -35,6 +36,19 @@ pub fn list(found: &Modes) -> String {
         let frequency = omega / std::f64::consts::TAU;
         let numbers = [frequency, omega, mode.growth_rate(), mode.eigenvalue, mode.modal_mass, mode.damping_ratio];
         let numbers = numbers.map(shortest).join(",");
+        text.push_str(&format!("{},{kind},{numbers},\"{}\"\n", number + 1, mode.moves));
+    }
+    text
+}
+
+/// The text of damped_modes.csv: a row a mode.
+pub fn damped_list(found: &[DampedMode]) -> String {
+    let mut text = "mode,kind,frequency,damped_frequency,damping_ratio,real,imaginary,moves\n".to_owned();
+    for (number, mode) in found.iter().enumerate() {
+        let [real, imaginary] = mode.value;
+        let tau = std::f64::consts::TAU;
+        let numbers = [mode.natural_frequency / tau, imaginary / tau, mode.damping_ratio, real, imaginary];
+        let (kind, numbers) = (matrices::word(mode.kind), numbers.map(shortest).join(","));
         text.push_str(&format!("{},{kind},{numbers},\"{}\"\n", number + 1, mode.moves));
     }
     text

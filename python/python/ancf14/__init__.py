@@ -9,6 +9,7 @@ All numbers are in SI units and radians.
 
 from ._errors import CallError, Error, Interrupted, ModelError, RunError, SolverWarning, VariableError
 from ._instance import Instance, State
+from ._linear import Linearization
 from ._model import Model, Picture, Variable
 from ._modes import Modes
 from ._native import __version__
@@ -19,6 +20,7 @@ __all__ = [
     "Error",
     "Instance",
     "Interrupted",
+    "Linearization",
     "Model",
     "ModelError",
     "Modes",

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._errors import CallError, Interrupted, ModelError, RunError, SolverWarning, VariableError, error_of, raising, warn
+from ._linear import Linearization
 from ._modes import Modes
 from ._names import Components
 from ._results import Results
@@ -299,6 +300,36 @@ class Model:
             found = simulation.modes(count)
         warn(found[-1])
         return Modes._of(found)
+
+    def linearize(
+        self,
+        inputs: Sequence[str] | None = None,
+        outputs: Sequence[str] | None = None,
+        at: str | float = "start",
+        parameters: Parameters | None = None,
+    ) -> Linearization:
+        """Return the linear system about a state, with exact matrices.
+
+        ``inputs`` and ``outputs`` name inputs and columns of results, vectors as a whole: ``["push.force"]``; by default all of them. The motion of a drive is
+        an input as its acceleration, ``"motor.acceleration"``. ``at`` is ``"start"``, ``"equilibrium"``, or a time of the run in s.
+        """
+        if isinstance(at, str) and at not in ("start", "equilibrium"):
+            raise CallError(f'at is "start", "equilibrium" or a time in s, not {at!r}')
+        for name, given in (("inputs", inputs), ("outputs", outputs)):
+            if isinstance(given, str):
+                raise CallError(f"{name} is a list of names, not a string; give [{given!r}]")
+        changes = self._changes(parameters)
+        simulation = self._open(changes)
+        if at == "equilibrium" and not simulation.begins_at_equilibrium():
+            simulation = self._open([*changes, ("simulation.initial", "equilibrium")])
+        with raising():
+            simulation.initialize()
+            if not isinstance(at, str) and at > 0:
+                simulation.advance(float(at))
+            found = simulation.linearize(inputs, outputs)
+        warn([warning for warning in simulation.take_warnings() if warning not in self._notes])
+        warn(found.warnings())
+        return Linearization._of(found)
 
     def draw(self, path: str | os.PathLike[str] | None = None) -> Picture:
         """Draw the mechanism, as SVG; with a ``path`` also write it to that file."""

@@ -7,6 +7,7 @@ use crate::mechanics::beam::Beam;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::model::run::simulation::linear::{Pole, PoleKind};
 use crate::model::run::simulation::{Simulation, failure};
 use crate::solve::modes;
 use crate::solve::modes::damping::damping_ratios;
@@ -139,6 +140,42 @@ impl Simulation {
             freedoms: found.freedoms,
             warnings: warnings((system, state), &found, &ratios, moving),
         })
+    }
+}
+
+/// A mode with damping.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DampedMode {
+    /// Real and imaginary part of its pole, rad/s.
+    pub value: [f64; 2],
+    /// How it goes on.
+    pub kind: PoleKind,
+    /// `|λ|`, rad/s.
+    pub natural_frequency: f64,
+    /// Its damping ratio, exact: `−Re λ/|λ|`.
+    pub damping_ratio: f64,
+    /// What it moves most, in words.
+    pub moves: String,
+}
+
+impl Simulation {
+    /// The `count` softest modes with damping about the state that is reached, at rest and without dry friction, and
+    /// how many there are: by rising `|λ|`, of a pair of poles that with the positive imaginary part.
+    ///
+    /// # Errors
+    /// There are too many states, or the poles are not found.
+    pub fn damped_modes(&self, count: usize) -> Result<(Vec<DampedMode>, usize), Failure> {
+        let (poles, base) = self.poles_at_rest()?;
+        let mut snapshot = FrameCache::default();
+        let configuration = snapshot.of(self.system(), &base.state);
+        let mode = |pole: &Pole| DampedMode {
+            value: pole.value,
+            kind: pole.kind,
+            natural_frequency: pole.natural_frequency(),
+            damping_ratio: pole.damping_ratio(),
+            moves: self.system().most_moved(&configuration, &pole.shape).what,
+        };
+        Ok((poles.iter().take(count).map(mode).collect(), poles.len()))
     }
 }
 

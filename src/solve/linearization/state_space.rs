@@ -79,8 +79,7 @@ impl<'a, I: Inputs> Reduction<'a, I> {
         mut read: impl FnMut(&State, &Response, &mut [f64]),
     ) -> Result<StateSpace, Error> {
         let free = self.selection.chosen.len();
-        let motions: Vec<usize> =
-            (0..self.inputs.count()).filter(|number| self.inputs.is_motion(*number)).collect();
+        let motions: Vec<usize> = (0..self.inputs.count()).filter(|number| self.inputs.is_motion(*number)).collect();
         let (states, count) = (2 * (free + motions.len()), self.inputs.count());
         let mut a = Dense::zeros(states, states);
         let mut b = Dense::zeros(states, count);

@@ -8,6 +8,7 @@ mod export_command;
 mod first_state;
 mod index_page;
 mod inputs_command;
+mod linearize_command;
 mod modes_command;
 mod new_command;
 mod output_files;

@@ -164,10 +164,7 @@ impl Simulation {
     }
 
     /// Those of all `givens` that are called `wanted`; none: the first `count`.
-    pub(super) fn chosen(
-        (all, count): (Vec<Given>, usize),
-        wanted: Option<&[String]>,
-    ) -> Result<Vec<Given>, Failure> {
+    pub(super) fn chosen((all, count): (Vec<Given>, usize), wanted: Option<&[String]>) -> Result<Vec<Given>, Failure> {
         let Some(wanted) = wanted else { return Ok(all.into_iter().take(count).collect()) };
         let mut chosen: Vec<Given> = Vec::new();
         for name in wanted {
@@ -206,11 +203,8 @@ fn of_frame(document: &Document, state: &State, number: Number, inputs: &Inputs)
         return Some(None);
     }
     let vector = numbers.map(|number| inputs.line(number).0);
-    let jets = std::array::from_fn(|own| Jet {
-        value: vector[own],
-        first: if own == axis { 1.0 } else { 0.0 },
-        second: 0.0,
-    });
+    let jets =
+        std::array::from_fn(|own| Jet { value: vector[own], first: if own == axis { 1.0 } else { 0.0 }, second: 0.0 });
     let [axes, axes_rate, _] = rotation_matrix_jet(&jets);
     let [pose, rate] = [axes, axes_rate].map(|axes| Pose { axes, ..Pose::zero() });
     let turn = angular_velocity(&pose, &rate);

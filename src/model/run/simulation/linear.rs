@@ -77,10 +77,8 @@ impl Simulation {
         // Rates count, also of a model whose results are equilibria.
         table.take_motion();
         let (mut frames, mut values) = (FrameCache::default(), Vec::new());
-        let fibers = table.fibers(
-            &Moment { system, state: &base.state, response: &base.response, fibers: &[] },
-            &mut frames,
-        );
+        let fibers =
+            table.fibers(&Moment { system, state: &base.state, response: &base.response, fibers: &[] }, &mut frames);
         let mut read = |state: &State, response: &Response, target: &mut [f64]| {
             table.measure(&Moment { system, state, response, fibers: &fibers }, &mut frames, &mut values);
             target.iter_mut().zip(&results).for_each(|(target, number)| *target = values[*number]);
@@ -88,8 +86,7 @@ impl Simulation {
         let mut present = vec![0.0; results.len()];
         read(&base.state, &base.response, &mut present);
         let mut reduction = Reduction::new((system, &base, &asked), linearization, &selection);
-        let StateSpace { a, b, c, d } =
-            reduction.matrices(results.len(), read).map_err(|error| failure(&error))?;
+        let StateSpace { a, b, c, d } = reduction.matrices(results.len(), read).map_err(|error| failure(&error))?;
         let outputs = results.iter().zip(present).map(|(number, value)| {
             let (name, unit) = &self.table.results[*number];
             Signal { name: name.clone(), unit: unit.clone(), value }

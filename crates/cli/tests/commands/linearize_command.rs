@@ -1,0 +1,116 @@
+//! Does `ancf14 linearize` write what docs/linearization.md says, and refuse what it cannot do? And does `ancf14 modes
+//! --damped` give the same poles?
+
+use ancf14_testing::root;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn ancf14(directory: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ancf14")).current_dir(directory).args(arguments).output().unwrap()
+}
+
+fn model(name: &str) -> String {
+    format!("{}/models/{name}.toml", root().display())
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// A mass on a spring and a damper along x, `m = 2 kg`, `k = 200 N/m`, `c = 4 N s/m`, with a force as the input: `λ² + 2
+/// λ + 100 = 0`.
+const SLIDER: &str = r#"format = 1
+model = { name = "Slider", gravity = [0, 0, 0] }
+body.slider = { mass = 2, position = [0, 0, 0], inertia = [0.1, 0.1, 0.1] }
+joint.rail = { type = "prismatic", a = "ground", b = "slider", axis = [1, 0, 0], damping = 4, stiffness = 200 }
+load.push = { at = "slider", force = [0, 0, 0], input = true }
+output.way = { at = "rail", quantities = ["distance", "distance_rate"] }
+simulation = { stop = 1, step = 1e-3 }
+"#;
+
+/// The poles as a table, `f = 10/2π`, `ζ = 0.1`.
+#[test]
+fn poles_are_listed() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("slider.toml"), SLIDER).unwrap();
+    let output = ancf14(directory.path(), &["linearize", "slider.toml"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let table = text(&output.stdout);
+    let cells: Vec<&str> = table.lines().nth(1).unwrap().split_whitespace().collect();
+    assert_eq!(cells, ["1", "1.59155", "1.58357", "0.1000", "-1.00000", "oscillating"], "{table}");
+    assert!(table.contains("2 states, 6 inputs, 2 outputs at t = 0 s"), "{table}");
+    let damped = ancf14(directory.path(), &["modes", "slider.toml", "--damped"]);
+    assert!(damped.status.success(), "{}", text(&damped.stderr));
+    let row = text(&damped.stdout).lines().nth(1).unwrap().to_owned();
+    assert!(row.starts_with("1     1.59155       1.58357    0.1000         oscillating  slider"), "{row}");
+    let list = std::fs::read_to_string(directory.path().join("slider-results/damped_modes.csv")).unwrap();
+    let rows: Vec<&str> = list.lines().collect();
+    assert_eq!(rows[0], "mode,kind,frequency,damped_frequency,damping_ratio,real,imaginary,moves");
+    let ratio: f64 = rows[1].split(',').nth(4).unwrap().parse().unwrap();
+    assert!(rows.len() == 2 && (ratio - 0.1).abs() < 1e-14, "{list}");
+}
+
+/// `A = [0 1; −100 −2]`, `B = [0; ½]`, `C = 1`, in JSON exactly as computed; the other files have the same numbers.
+#[test]
+fn files_have_the_matrices() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("slider.toml"), SLIDER).unwrap();
+    for file in ["s.json", "s.npz", "s.mat"] {
+        let arguments =
+            ["linearize", "slider.toml", "--inputs", "push.force[1]", "--outputs", "way.distance", "-o", file];
+        let output = ancf14(directory.path(), &arguments);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        assert!(text(&output.stdout).ends_with(&format!("2 states, 1 inputs, 1 outputs at t = 0 s: {file}\n")));
+    }
+    let read = |name: &str| std::fs::read(directory.path().join(name)).unwrap();
+    let document: serde_json::Value = serde_json::from_slice(&read("s.json")).unwrap();
+    let number = |name: &str, row: usize, column: usize| document[name][row][column].as_f64().unwrap();
+    let a = [number("A", 0, 0), number("A", 0, 1), number("A", 1, 0), number("A", 1, 1)];
+    let exact = [0.0, 1.0, -100.0, -2.0];
+    assert!(a.iter().zip(exact).all(|(own, exact)| (own - exact).abs() < 1e-12), "{a:?}");
+    assert!((number("B", 1, 0) - 0.5).abs() < 1e-14 && (number("C", 0, 0) - 1.0).abs() < 1e-10);
+    assert_eq!(document["states"][1], "slider.position[1].rate");
+    // Both begin as their formats say, and hold the numbers of A.
+    let (archive, matlab) = (read("s.npz"), read("s.mat"));
+    assert!(archive.starts_with(b"PK") && matlab.starts_with(b"MATLAB 5.0") && &matlab[124..128] == b"\x00\x01IM");
+    let column = [a[0].to_le_bytes(), a[2].to_le_bytes(), a[1].to_le_bytes(), a[3].to_le_bytes()].concat();
+    for bytes in [archive, matlab] {
+        assert!(bytes.windows(column.len()).any(|own| own == column));
+    }
+}
+
+/// About the equilibrium a hanging chain of parts is at rest; as drawn it is not, which is told with the remedy.
+#[test]
+fn the_state_is_that_of_at() {
+    let directory = tempfile::tempdir().unwrap();
+    let cantilever = model("cantilever");
+    let at = |arguments: &[&str]| {
+        let mut all = vec!["linearize", cantilever.as_str()];
+        all.extend(arguments);
+        let output = ancf14(directory.path(), &all);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stderr)
+    };
+    assert!(at(&[]).contains("not in equilibrium") && at(&[]).contains("--at equilibrium"));
+    assert!(!at(&["--at", "equilibrium"]).contains("not in equilibrium"));
+    assert!(at(&["--at", "0.05"]).contains("the mechanism moves"));
+}
+
+#[test]
+fn mistakes_are_told() {
+    let directory = tempfile::tempdir().unwrap();
+    let cantilever = model("cantilever");
+    for (arguments, code, expected) in [
+        (&["-o", "m.csv"][..], 2, "ends in .npz, .mat or .json"),
+        (&["--at", "-1"], 2, "equilibrium, start or a time from 0 on"),
+        (&["--at", "1e9"], 2, "is after the end of the run"),
+        (&["--outputs", "nothing"], 1, "no output `nothing`"),
+        (&["--set", "arm.elements=200"], 1, "poles are found of at most 1500 states, and this mechanism has"),
+    ] {
+        let mut all = vec!["linearize", cantilever.as_str()];
+        all.extend(arguments);
+        let output = ancf14(directory.path(), &all);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {}", text(&output.stderr));
+        assert!(text(&output.stderr).contains(expected), "{}", text(&output.stderr));
+    }
+}

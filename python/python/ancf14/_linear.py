@@ -1,0 +1,111 @@
+"""Linear systems."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _native
+from ._errors import CallError, RunError, missing
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Linearization:
+    """The linear system about a state: ``dx/dt = A x + B (u - u0)``, ``y - y0 = C x + D (u - u0)``.
+
+    States are changes of independent coordinates, then their rates, then value and rate of each input that prescribes a motion: such an input is its acceleration.
+    """
+
+    A: Array
+    """The matrix of the states, shape ``(n, n)``."""
+    B: Array
+    """What the inputs do to the states, shape ``(n, k)``."""
+    C: Array
+    """The outputs from the states, shape ``(m, n)``."""
+    D: Array
+    """The outputs from the inputs, shape ``(m, k)``."""
+    states: list[str]
+    """The names of the states."""
+    inputs: list[str]
+    """The names of the inputs."""
+    outputs: list[str]
+    """The names of the outputs, those of columns of results."""
+    units: dict[str, str]
+    """The SI units of states, inputs and outputs by name."""
+    u0: Array
+    """The inputs in the state that the system is about, shape ``(k,)``."""
+    y0: Array
+    """The outputs in that state, shape ``(m,)``."""
+    time: float
+    """The time of that state, s."""
+    _native: _native.LinearSystem = field(repr=False)
+
+    @classmethod
+    def _of(cls, found: _native.LinearSystem) -> Linearization:
+        states, inputs, outputs = found.signals()
+        n, k, m = len(states), len(inputs), len(outputs)
+        shapes = [(n, n), (n, k), (m, n), (m, k)]
+        own = [np.frombuffer(values, dtype="<f8").reshape(shape, order="F").copy() for values, shape in zip(found.matrices(), shapes)]
+        return cls(
+            *own,
+            states=[name for name, _, _ in states],
+            inputs=[name for name, _, _ in inputs],
+            outputs=[name for name, _, _ in outputs],
+            units={name: unit for name, unit, _ in [*states, *inputs, *outputs]},
+            u0=np.array([value for _, _, value in inputs], dtype=float),
+            y0=np.array([value for _, _, value in outputs], dtype=float),
+            time=found.time(),
+            _native=found,
+        )
+
+    def _found(self) -> list[tuple[str, float, float]]:
+        try:
+            return self._native.poles()
+        except RuntimeError as reason:
+            raise RunError(str(reason)) from None
+
+    @property
+    def poles(self) -> NDArray[np.complex128]:
+        """The poles of the mechanism, rad/s, by rising size; of a pair the one with the positive imaginary part."""
+        return np.array([complex(real, imaginary) for _, real, imaginary in self._found()], dtype=complex)
+
+    @property
+    def kinds(self) -> list[str]:
+        """How the motion of each pole goes on: ``rigid``, ``oscillating``, ``overdamped`` or ``unstable``."""
+        return [kind for kind, _, _ in self._found()]
+
+    @property
+    def frequencies(self) -> Array:
+        """The frequency of each pole without damping, ``|pole|/(2 pi)``, Hz."""
+        return np.abs(self.poles) / (2 * np.pi)
+
+    @property
+    def damping(self) -> Array:
+        """The damping ratio of each pole, ``-Re pole/|pole|``; 0 for rigid motions."""
+        poles, rigid = self.poles, np.array([kind == "rigid" for kind in self.kinds], dtype=bool)
+        size = np.where(rigid | (poles == 0), 1.0, np.abs(poles))
+        return np.where(rigid, 0.0, -poles.real / size)
+
+    def to_control(self) -> Any:
+        """Return a ``StateSpace`` of python-control, with the names of states, inputs and outputs; needs control."""
+        try:
+            import control
+        except ImportError:
+            missing("control", "a system of python-control")
+        return control.ss(self.A, self.B, self.C, self.D, states=self.states, inputs=self.inputs, outputs=self.outputs)
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Write the system to a file whose ending says what it is, and return the path: ``.npz`` for numpy, ``.mat`` for MATLAB and Octave, ``.json``."""
+        path = Path(path)
+        kind = path.suffix.removeprefix(".")
+        if kind not in ("npz", "mat", "json"):
+            raise CallError(f"{path} has no ending that says what it is; give a path that ends in .npz, .mat or .json")
+        path.write_bytes(self._native.file(kind))
+        return path

@@ -1,0 +1,77 @@
+//! Linear systems: names, matrices and poles in plain types, and their files.
+
+use ancf14::model::linear::{Linear, Matrix, Pole, Signal};
+use ancf14_report::matrices::{System, word};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+/// Name, unit and value of a state, an input or an output.
+type Named = (String, String, f64);
+/// Kind, real and imaginary part of a pole; of a pair that with the positive imaginary part.
+type FoundPole = (&'static str, f64, f64);
+
+/// The linear system about a state.
+#[pyclass(frozen)]
+pub struct LinearSystem {
+    linear: Linear,
+    poles: Result<Vec<Pole>, String>,
+    model: String,
+}
+
+impl LinearSystem {
+    /// Of a simulation, with its poles.
+    pub fn new(linear: Linear, poles: Result<Vec<Pole>, String>, model: String) -> Self {
+        Self { linear, poles, model }
+    }
+}
+
+fn named(signals: &[Signal]) -> Vec<Named> {
+    signals.iter().map(|signal| (signal.name.clone(), signal.unit.clone(), signal.value)).collect()
+}
+
+#[pymethods]
+impl LinearSystem {
+    /// States, inputs and outputs.
+    fn signals(&self) -> [Vec<Named>; 3] {
+        [&self.linear.states, &self.linear.inputs, &self.linear.outputs].map(|signals| named(signals))
+    }
+
+    /// The bytes of the matrices `A`, `B`, `C`, `D`, column after column.
+    fn matrices<'py>(&self, py: Python<'py>) -> [Bound<'py, PyBytes>; 4] {
+        let Linear { a, b, c, d, .. } = &self.linear;
+        [a, b, c, d].map(|matrix: &Matrix| {
+            let bytes: Vec<u8> = matrix.values.iter().flat_map(|value| value.to_le_bytes()).collect();
+            PyBytes::new(py, &bytes)
+        })
+    }
+
+    /// The poles.
+    fn poles(&self) -> PyResult<Vec<FoundPole>> {
+        let poles = self.poles.as_ref().map_err(|reason| PyRuntimeError::new_err(reason.clone()))?;
+        Ok(poles.iter().map(|pole| (word(pole.kind), pole.value[0], pole.value[1])).collect())
+    }
+
+    /// The time of the state, s.
+    fn time(&self) -> f64 {
+        self.linear.time
+    }
+
+    /// The warnings about the state.
+    fn warnings(&self) -> Vec<String> {
+        self.linear.warnings.clone()
+    }
+
+    /// The bytes of a file: `npz`, `mat` or `json`.
+    fn file<'py>(&self, py: Python<'py>, kind: &str) -> PyResult<Bound<'py, PyBytes>> {
+        let poles = self.poles.as_deref().unwrap_or_default();
+        let version = env!("CARGO_PKG_VERSION");
+        let system = System { linear: &self.linear, poles, model: &self.model, version };
+        let bytes = match kind {
+            "npz" => system.npz().map_err(|reason| PyRuntimeError::new_err(reason.to_string()))?,
+            "mat" => system.mat(),
+            _ => system.json().into_bytes(),
+        };
+        Ok(PyBytes::new(py, &bytes))
+    }
+}
