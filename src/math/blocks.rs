@@ -84,8 +84,8 @@ impl Blocks {
         let mut own = Self::default();
         for (number, block) in self.layout.iter().enumerate() {
             if block.row + block.rows <= size && block.column + block.columns <= size {
-                let place = own.push(*block);
-                own.block_mut(place).copy_from_slice(self.block(number));
+                let copy = own.push(*block);
+                own.block_mut(copy).copy_from_slice(self.block(number));
             }
         }
         own

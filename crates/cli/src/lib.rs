@@ -431,11 +431,11 @@ impl ModelArguments {
         load(&self.file, &self.overrides, self.files.reach())
     }
 
-    /// [`Self::load`] with one more change of the model.
-    fn load_with(&self, key: &str, value: &str) -> Result<Simulation, Stop> {
+    /// [`Self::load`] with further changes of the model, by key.
+    fn load_with(&self, changes: &[(&str, &str)]) -> Result<Simulation, Stop> {
         let mut overrides = self.overrides.clone();
-        overrides.retain(|(own, _)| own != key);
-        overrides.push((key.to_owned(), value.to_owned()));
+        overrides.retain(|(own, _)| changes.iter().all(|(key, _)| own != key));
+        overrides.extend(changes.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())));
         load(&self.file, &overrides, self.files.reach()).map(|(simulation, _)| simulation)
     }
 

@@ -2,9 +2,10 @@
 
 use super::{ModelArguments, Stop, complain, failed, output, say, start, voice};
 use ancf14::fmi::Model;
-use ancf14::model::entries::simulation::{Analysis, Initial};
+use ancf14::model::entries::simulation::{Analysis, Initial, Steps};
 use ancf14::model::linear::{Linear, Pole, PoleKind, Signal};
 use ancf14::model::simulation::Simulation;
+use ancf14::model::simulation::pole_check::STEPS;
 use ancf14_report::matrices::{System, word};
 use ancf14_report::numbers::significant;
 use serde_json::{Value, json};
@@ -29,6 +30,9 @@ pub struct Wishes {
     /// Print the softest N poles as a table [default of N: 20]; without --output it is printed anyway
     #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, value_parser = super::modes::count)]
     poles: Option<Option<u16>>,
+    /// Compare the softest vibration with a run of 20 periods that begins with it
+    #[arg(long)]
+    check: bool,
     /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, or .json
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -111,7 +115,7 @@ fn load(model: &ModelArguments, at: At) -> Result<Simulation, Stop> {
     if at != At::Equilibrium || begins_there {
         return Ok(simulation);
     }
-    model.load_with("simulation.initial", "equilibrium")
+    model.load_with(&[("simulation.initial", "equilibrium")])
 }
 
 /// Linearizes, and writes what is asked for.
@@ -159,12 +163,25 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
         };
         output::write(path, &bytes)?;
     }
+    let checked = if wishes.check { Some(check(model, wishes.at, &found, &poles)?) } else { None };
     if voice::is_json() {
-        voice::deliver(document(&found, &poles));
+        let mut document = document(&found, &poles);
+        if let Some(checked) = checked {
+            document["check"] = json!({ "pole": checked.pole, "run": checked.run, "difference": checked.difference() });
+        }
+        voice::deliver(document);
         return Ok(());
     }
     if prints {
         say(&table(&poles, usize::from(wishes.poles.flatten().unwrap_or(POLES))))?;
+    }
+    if let Some(checked) = checked {
+        let [pole, run] = [checked.pole, checked.run]
+            .map(|[real, imaginary]| format!("{} ± {}i", significant(real, DIGITS), significant(imaginary, DIGITS)));
+        say(&format!(
+            "check: the softest vibration has the pole {pole} rad/s, and a run shows {run}, a difference of {:.1e}",
+            checked.difference()
+        ))?;
     }
     let Linear { states, inputs, outputs, time, .. } = &found;
     let counts = format!("{} states, {} inputs, {} outputs at t = {time} s", states.len(), inputs.len(), outputs.len());
@@ -172,6 +189,44 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
         Some(path) => say(&format!("{counts}: {}", path.display())),
         None => say(&counts),
     }
+}
+
+/// A pole, and what a run shows of it.
+struct Checked {
+    pole: [f64; 2],
+    run: [f64; 2],
+}
+
+impl Checked {
+    /// The distance of both over the size of the pole.
+    fn difference(&self) -> f64 {
+        let [real, imaginary] = self.pole;
+        f64::hypot(self.run[0] - real, self.run[1] - imaginary) / real.hypot(imaginary)
+    }
+}
+
+/// Lets a run of its own begin with the softest vibration.
+fn check(model: &ModelArguments, at: At, found: &Linear, poles: &[Pole]) -> Result<Checked, Stop> {
+    if !found.is_at_rest() {
+        return Err(Stop::Bad("error: --check is for a state at rest; take --at equilibrium".to_owned()));
+    }
+    let softest = poles.iter().find(|pole| pole.kind == PoleKind::Oscillating);
+    let Some(pole) = softest else {
+        return Err(Stop::Bad("error: --check compares a vibration with a run, and no pole is one".to_owned()));
+    };
+    let step = TAU / pole.value[1] / STEPS;
+    let mut simulation = load(model, at)?;
+    let settings = &simulation.document().simulation;
+    if settings.analysis == Analysis::Dynamic && matches!(settings.steps, Steps::Fixed(_)) {
+        let step = format!("{step:e}");
+        let changes = [("simulation.step", step.as_str()), ("simulation.initial", "equilibrium")];
+        simulation = model.load_with(if at == At::Equilibrium { &changes } else { &changes[..1] })?;
+    }
+    let start = simulation.about().start;
+    let initialized = simulation.initialize(start);
+    initialized.map_err(|failure| failed(&simulation, &failure))?;
+    let run = simulation.observe_pole(pole).map_err(|failure| failed(&simulation, &failure))?;
+    Ok(Checked { pole: pole.value, run })
 }
 
 /// The poles and names for programs.

@@ -179,3 +179,24 @@ pub fn add_rate_damping(
         (force_v * momentum[own + THETA], spin_force(frame, &vec3(velocity, own + P)))
     });
 }
+
+/// A row of the matrix `N` by which charts that go with the motion change the rates of coordinates: that of the angle of
+/// a node whose tangent turns (docs/linearization.md).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChartRate {
+    /// The coordinate of the angle.
+    pub angle: usize,
+    /// The first coordinate of the slope.
+    pub slope: usize,
+    /// `−(t × t')/|p|`, 1/s.
+    pub row: Vec3,
+}
+
+/// The rows of all nodes whose tangents turn with the velocities `velocity`.
+pub fn chart_rates(system: &System, frames: &FrameCache, velocity: &[f64]) -> Vec<ChartRate> {
+    let rows = system.mesh.framed.iter().zip(&frames.frames).map(|(own, frame)| {
+        let rate = frame.t_p() * vec3(velocity, own + P);
+        ChartRate { angle: own + THETA, slope: own + P, row: -frame.t.cross(&rate) / frame.stretch }
+    });
+    rows.filter(|own| own.row != Vec3::zeros()).collect()
+}

@@ -59,6 +59,45 @@ impl System {
         format!("node {node}")
     }
 
+    /// The name of coordinate `index` among the states of a linear system: `arm.node[3].slope[2]`. Directors of bodies are
+    /// none.
+    pub fn coordinate_name(&self, index: usize) -> String {
+        if index >= self.mesh.coordinates() {
+            let local = index - self.mesh.coordinates();
+            return format!("{}.position[{}]", self.bodies[local / BODY].name, local % BODY + 1);
+        }
+        let number = self.mesh.node_of(index);
+        let beam = self.beams.iter().find(|beam| beam.node_range().contains(&number));
+        let label = beam.map_or_else(
+            || format!("node[{number}]"),
+            |beam| {
+                let end = beam.end_of(number);
+                // A corner has two nodes.
+                let side = if beam.node(end) == number { "" } else { ".after" };
+                format!("{}.node[{end}]{side}", beam.name)
+            },
+        );
+        let node = &self.mesh.nodes[number];
+        let local = index - node.coordinates().start;
+        let component = local % 3 + 1;
+        match local {
+            0..3 => format!("{label}.position[{component}]"),
+            3..6 => format!("{label}.slope[{component}]"),
+            _ if node.directors().is_empty() => format!("{label}.twist"),
+            _ => format!("{label}.gradient[{},{component}]", local / 3),
+        }
+    }
+
+    /// The unit of that coordinate.
+    pub fn coordinate_unit(&self, index: usize) -> &'static str {
+        if self.is_place(index) {
+            return "m";
+        }
+        let node = &self.mesh.nodes[self.mesh.node_of(index)];
+        let is_angle = node.directors().is_empty() && node.is_turn(index - node.coordinates().start);
+        if is_angle { "rad" } else { "1" }
+    }
+
     /// The beam of element `number` and the element's number in it.
     pub fn beam_of(&self, number: usize) -> (&Beam, usize) {
         let after = self.beams.partition_point(|beam| beam.first_element <= number);

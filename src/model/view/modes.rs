@@ -154,7 +154,7 @@ pub struct DampedMode {
     pub natural_frequency: f64,
     /// Its damping ratio, exact: `−Re λ/|λ|`.
     pub damping_ratio: f64,
-    /// What it moves most, in words.
+    /// The coordinate that it moves most, in words.
     pub moves: String,
 }
 

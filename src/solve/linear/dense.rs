@@ -125,14 +125,14 @@ impl PivotedQr {
         let rest = |matrix: &Dense, column: usize, row: usize| norm(&matrix.column(column)[row..]);
         while rank < matrix.rows.min(matrix.columns) {
             let norms = (rank..matrix.columns).map(|column| rest(&matrix, column, rank)).enumerate();
-            let Some((place, largest)) = norms.max_by(|a, b| a.1.total_cmp(&b.1)) else { break };
+            let Some((ahead, largest)) = norms.max_by(|a, b| a.1.total_cmp(&b.1)) else { break };
             first = f64::max(first, largest);
             if largest <= round_off * first || largest == 0.0 {
                 break;
             }
-            order.swap(rank, rank + place);
+            order.swap(rank, rank + ahead);
             for row in 0..matrix.rows {
-                matrix.values.swap(rank * matrix.rows + row, (rank + place) * matrix.rows + row);
+                matrix.values.swap(rank * matrix.rows + row, (rank + ahead) * matrix.rows + row);
             }
             // The reflection that takes the rest of the column to its first entry.
             let mut mirror = matrix.column(rank)[rank..].to_vec();
@@ -149,7 +149,7 @@ impl PivotedQr {
         Self { order, rank, factor: matrix }
     }
 
-    /// Of each dependent column `k` (from [`Self::rank`] on in the order) what it is made of: `R₁₁⁻¹ r_k`.
+    /// The shares of the independent columns in dependent column `k`, from [`Self::rank`] on in the order: `R₁₁⁻¹ r_k`.
     pub fn combination(&self, column: usize) -> Vec<f64> {
         let mut right = self.factor.column(column)[..self.rank].to_vec();
         self.back_substitute(&mut right);

@@ -30,7 +30,7 @@ pub struct Base {
 }
 
 impl Base {
-    /// Of `state`.
+    /// Prepares `state`.
     ///
     /// # Errors
     /// The constraints are redundant, or a number is not finite.
@@ -48,7 +48,7 @@ impl Base {
         let imbalance = if is_at_rest { distance(system, &state, &response)? } else { 0.0 };
         let is_still = is_at_rest && imbalance <= BALANCED;
         if is_still {
-            // What Newton leaves of the forces, over the masses of the stiffest motions.
+            // Newton leaves a little of the forces; over the masses of the stiffest motions that is much.
             response.acceleration.fill(0.0);
         }
         Ok(Self { state, response, is_at_rest, is_still, imbalance })

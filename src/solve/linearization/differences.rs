@@ -4,7 +4,6 @@
 
 use super::base::Base;
 use crate::math::blocks::{Block, Blocks};
-use crate::mechanics::beam::ancf14::coordinates::{NODE, P};
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::state::State;
@@ -72,30 +71,37 @@ pub(super) fn push(system: &System, base: &Base, [by_q, by_velocity, rates_by_q]
 fn push_inertia(mover: &mut Mover, by_q: &mut Blocks, by_velocity: &mut Blocks) {
     let (system, base) = (mover.system, mover.base);
     let mut sum = vec![0.0; system.coordinates()];
+    let longest = system.mesh.nodes.iter().map(|node| node.coordinates().len()).max().unwrap_or(0);
     for color in 0..APART {
-        for local in 0..NODE {
-            let nodes = || system.mesh.framed.iter().skip(color).step_by(APART);
-            if local >= P {
-                nodes().for_each(|start| mover.change.lists.q[start + local] = 1.0);
+        for local in 0..longest {
+            let nodes = system.mesh.nodes.iter().enumerate().skip(color).step_by(APART);
+            let nodes = nodes.filter(|(_, node)| local < node.coordinates().len());
+            let columns: Vec<(usize, usize)> =
+                nodes.map(|(number, node)| (number, node.coordinates().start + local)).collect();
+            // A mass matrix that follows the sections does not depend on where they are.
+            if columns.iter().any(|(_, column)| !system.is_place(*column)) {
+                columns.iter().for_each(|(_, column)| mover.change.lists.q[*column] = 1.0);
                 mover.along(REACH, &mut sum, |system, c, state, forces| {
                     system.inertia_forces(c, &state.velocity, &base.response.acceleration, forces);
                 });
-                nodes().for_each(|start| mover.change.lists.q[start + local] = 0.0);
-                nodes().for_each(|start| push_column(by_q, *start, local, &sum));
+                columns.iter().for_each(|(_, column)| mover.change.lists.q[*column] = 0.0);
+                columns.iter().for_each(|own| push_column(system, by_q, *own, &sum));
             }
-            nodes().for_each(|start| mover.change.lists.velocity[start + local] = 1.0);
+            columns.iter().for_each(|(_, column)| mover.change.lists.velocity[*column] = 1.0);
             // Quadratic in the velocities: any step will do.
             mover.along(1.0, &mut sum, |system, c, state, forces| system.rotary_forces(c, &state.velocity, forces));
-            nodes().for_each(|start| mover.change.lists.velocity[start + local] = 0.0);
-            nodes().for_each(|start| push_column(by_velocity, *start, local, &sum));
+            columns.iter().for_each(|(_, column)| mover.change.lists.velocity[*column] = 0.0);
+            columns.iter().for_each(|own| push_column(system, by_velocity, *own, &sum));
         }
     }
 }
 
-/// Appends minus the part of `sum` at the node at `start` and its neighbors as the column of coordinate `local`.
-fn push_column(blocks: &mut Blocks, start: usize, local: usize, sum: &[f64]) {
-    let rows = start.saturating_sub(NODE)..sum.len().min(start + 2 * NODE);
-    let number = blocks.push(Block { row: rows.start, column: start + local, rows: rows.len(), columns: 1 });
+/// Appends minus the part of `sum` at node `number` and its neighbors as the column `column`.
+fn push_column(system: &System, blocks: &mut Blocks, (number, column): (usize, usize), sum: &[f64]) {
+    let nodes = &system.mesh.nodes;
+    let first = nodes[number.saturating_sub(1)].coordinates().start;
+    let rows = first..nodes[(number + 1).min(nodes.len() - 1)].coordinates().end;
+    let number = blocks.push(Block { row: rows.start, column, rows: rows.len(), columns: 1 });
     blocks.block_mut(number).iter_mut().zip(&sum[rows]).for_each(|(own, value)| *own = -value);
 }
 

@@ -6,8 +6,6 @@
 use crate::math::Vec3;
 use crate::math::blocks::Blocks;
 use crate::math::vectors::vec3;
-use crate::mechanics::beam::ancf14::coordinates::{P, THETA};
-use crate::mechanics::beam::node::Node;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::system::System;
 use crate::solve::linear::dense::{Dense, PivotedQr};
@@ -17,8 +15,8 @@ const BODY_WEIGHT: f64 = 1e3;
 const DIRECTOR_WEIGHT: f64 = 1e6;
 /// Share of a condition that is left when it follows from others: round-off, times the weights.
 const ROUND_OFF: f64 = 1e-12;
-/// Coordinates of a place, the first ones of every node and body.
-const PLACE: usize = 3;
+/// Coordinates of a position, the first ones of every node and body.
+const POSITION: usize = 3;
 
 /// An independent coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,31 +42,31 @@ pub struct Selection {
 }
 
 impl Selection {
-    /// Of the constraints whose gradients are in `kkt_blocks`, at the coordinates `q`. None: they are redundant, or
-    /// there is nothing that can move.
+    /// Selects by the gradients of the constraints in `kkt_blocks`, at the coordinates `q`. None: they are redundant, or
+    /// nothing can move.
     pub fn new(system: &System, kkt_blocks: &Blocks, q: &[f64], released: usize) -> Option<Self> {
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
-        let turns = PLACE * system.bodies.len();
+        let turns = POSITION * system.bodies.len();
         let mut gradient = Dense::zeros(conditions + turns, coordinates + turns);
         for (number, block) in kkt_blocks.layout().iter().enumerate() {
             if block.row < coordinates || block.column >= coordinates {
                 continue;
             }
-            for (place, value) in kkt_blocks.block(number).iter().enumerate() {
-                let (row, column) = (block.row - coordinates + place % block.rows, block.column + place / block.rows);
+            for (entry, value) in kkt_blocks.block(number).iter().enumerate() {
+                let (row, column) = (block.row - coordinates + entry % block.rows, block.column + entry / block.rows);
                 gradient.column_mut(column)[row] += value;
             }
         }
         for (body, own) in system.bodies.iter().enumerate() {
-            for axis in 0..PLACE {
-                let row = conditions + PLACE * body + axis;
-                for local in PLACE..BODY {
-                    let mut director = [0.0; PLACE];
-                    director[local % PLACE] = 1.0;
-                    let turn = vec3(q, own.start + local - local % PLACE).cross(&Vec3::from(director)) * 0.5;
+            for axis in 0..POSITION {
+                let row = conditions + POSITION * body + axis;
+                for local in POSITION..BODY {
+                    let mut director = [0.0; POSITION];
+                    director[local % POSITION] = 1.0;
+                    let turn = vec3(q, own.start + local - local % POSITION).cross(&Vec3::from(director)) * 0.5;
                     gradient.column_mut(own.start + local)[row] = turn[axis];
                 }
-                gradient.column_mut(coordinates + PLACE * body + axis)[row] = -1.0;
+                gradient.column_mut(coordinates + POSITION * body + axis)[row] = -1.0;
             }
         }
         let weights: Vec<f64> = (0..coordinates + turns).map(|index| weight(system, index)).collect();
@@ -96,29 +94,31 @@ impl Selection {
         }
         let chosen = columns.iter().map(|column| match factor.order[*column] {
             own if own < coordinates => Independent::Coordinate(own),
-            own => Independent::Turn { body: (own - coordinates) / PLACE, axis: (own - coordinates) % PLACE },
+            own => Independent::Turn { body: (own - coordinates) / POSITION, axis: (own - coordinates) % POSITION },
         });
         Some(Self { chosen: chosen.collect(), shapes })
     }
 
     /// The name of each: `arm.node[3].position[2]`, `.slope[2]`, `.twist`; `cart.position[1]`, `.rotation[2]`.
     pub fn names(&self, system: &System) -> Vec<String> {
-        self.chosen.iter().map(|own| name(system, *own)).collect()
+        let name = |own: &Independent| match *own {
+            Independent::Turn { body, axis } => format!("{}.rotation[{}]", system.bodies[body].name, axis + 1),
+            Independent::Coordinate(index) => system.coordinate_name(index),
+        };
+        self.chosen.iter().map(name).collect()
     }
 
     /// The unit of each.
     pub fn units(&self, system: &System) -> Vec<&'static str> {
         let unit = |own: &Independent| match *own {
-            Independent::Coordinate(index) if system.is_place(index) => "m",
-            Independent::Coordinate(index) if is_gradient(system, index) => "1",
-            _ => "rad",
+            Independent::Turn { .. } => "rad",
+            Independent::Coordinate(index) => system.coordinate_unit(index),
         };
         self.chosen.iter().map(unit).collect()
     }
 
-    /// Sets `own` to the independent ones of changes: of the coordinates themselves, `rates` is 0 and `values` are
-    /// these; of their rates, `values` are the rates of the system's coordinates, and `rates` what the turns of bodies
-    /// have besides, as pairs of directors' factors and changes.
+    /// Sets `own` to the independent ones of `values`, changes of all coordinates or of their rates. A turn of a body is
+    /// the sum of `factor ½ Σ left × right` over its directors and over `pairs`.
     pub(super) fn read(&self, system: &System, pairs: &[(f64, &[f64], &[f64])], values: &[f64], own: &mut [f64]) {
         for (target, chosen) in own.iter_mut().zip(&self.chosen) {
             *target = match *chosen {
@@ -127,9 +127,9 @@ impl Selection {
                     let start = system.bodies[body].start;
                     let mut sum = 0.0;
                     for (factor, left, right) in pairs {
-                        for director in (PLACE..BODY).step_by(PLACE) {
-                            let place = start + director;
-                            sum += 0.5 * factor * vec3(left, place).cross(&vec3(right, place))[axis];
+                        for director in (POSITION..BODY).step_by(POSITION) {
+                            let first = start + director;
+                            sum += 0.5 * factor * vec3(left, first).cross(&vec3(right, first))[axis];
                         }
                     }
                     sum
@@ -168,47 +168,5 @@ fn scale(matrix: &mut Dense, weights: &[f64]) {
                 *value /= largest;
             }
         }
-    }
-}
-
-/// Whether coordinate `index` is a slope or another gradient of a node.
-fn is_gradient(system: &System, index: usize) -> bool {
-    if index >= system.mesh.coordinates() {
-        return false;
-    }
-    let node = &system.mesh.nodes[system.mesh.node_of(index)];
-    !matches!(node, Node::Ancf14 { start, .. } if index - start == THETA)
-}
-
-fn name(system: &System, own: Independent) -> String {
-    let index = match own {
-        Independent::Turn { body, axis } => return format!("{}.rotation[{}]", system.bodies[body].name, axis + 1),
-        Independent::Coordinate(index) => index,
-    };
-    if index >= system.mesh.coordinates() {
-        let local = index - system.mesh.coordinates();
-        let (body, local) = (&system.bodies[local / BODY].name, local % BODY);
-        return match local {
-            0..PLACE => format!("{body}.position[{}]", local + 1),
-            _ => format!("{body}.director[{},{}]", local / PLACE, local % PLACE + 1),
-        };
-    }
-    let number = system.mesh.node_of(index);
-    let node = &system.mesh.nodes[number];
-    let beam = system.beams.iter().find(|beam| beam.node_range().contains(&number));
-    let label = beam.map_or_else(
-        || format!("node[{number}]"),
-        |beam| {
-            let end = beam.end_of(number);
-            let side = if beam.node(end) == number { "" } else { ".after" };
-            format!("{}.node[{end}]{side}", beam.name)
-        },
-    );
-    let local = index - node.coordinates().start;
-    match (node, local) {
-        (_, 0..PLACE) => format!("{label}.position[{}]", local + 1),
-        (Node::Ancf14 { .. }, THETA) => format!("{label}.twist"),
-        _ if local < P + PLACE => format!("{label}.slope[{}]", local - P + 1),
-        _ => format!("{label}.gradient[{},{}]", local / PLACE, local % PLACE + 1),
     }
 }

@@ -20,20 +20,18 @@ pub mod state_space;
 use self::base::Base;
 use self::independent::Selection;
 use crate::error::Error;
-use crate::math::Vec3;
 use crate::math::blocks::Blocks;
 use crate::math::vectors::vec3;
-use crate::mechanics::beam::ancf14::coordinates::{P, THETA};
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
-use crate::mechanics::system::gyroscopic;
+use crate::mechanics::system::gyroscopic::{self, ChartRate};
 use crate::mechanics::system::mass::MassAt;
 use crate::solve::newton::kkt::Kkt;
 
-/// What is given from outside, as the linearization asks for it.
+/// The inputs of a linear system, as the linearization asks for them.
 pub trait Inputs {
     /// Number of inputs.
     fn count(&self) -> usize;
@@ -54,8 +52,8 @@ pub struct Linearization {
     by_spin: Blocks,
     /// `V_q`.
     rates_by_q: Blocks,
-    /// `N` of each node whose tangent turns, with its first coordinate, 1/s.
-    turning: Vec<(usize, Vec3)>,
+    /// The rows of `N`.
+    turning: Vec<ChartRate>,
     /// `[M Gᵀ; G 0]`, factorized.
     kkt: Kkt,
     coordinates: usize,
@@ -63,7 +61,7 @@ pub struct Linearization {
 }
 
 impl Linearization {
-    /// About `base`.
+    /// Differentiates the equations about `base`.
     ///
     /// # Errors
     /// The constraints are redundant.
@@ -104,7 +102,7 @@ impl Linearization {
         system.add_mass(mass, 1.0, &mut kkt.blocks);
         kkt.set_constraints(system, &gradients, &gradients, 1.0);
         kkt.factorize(system, state.time)?;
-        let turning = turning(system, state, &cache);
+        let turning = gyroscopic::chart_rates(system, &cache, &state.velocity);
         let (coordinates, time) = (forces.len(), state.time);
         Ok(Self { by_q, by_v, by_spin, rates_by_q, turning, kkt, coordinates, time })
     }
@@ -121,7 +119,7 @@ impl Linearization {
         self.by_v.multiply_add(velocity, right);
         self.by_spin.multiply_add(velocity, right);
         if !self.turning.is_empty() {
-            // In the chart of the state, half of `N` changes the velocity that belongs to an unchanged spin.
+            // Half of `N` changes, in the chart of the state, the velocity that belongs to an unchanged spin.
             let mut spins = vec![0.0; self.coordinates];
             self.add_turning(q, 0.5, &mut spins);
             self.by_v.multiply_add(&spins, right);
@@ -130,8 +128,8 @@ impl Linearization {
 
     /// `target += factor N q`.
     fn add_turning(&self, q: &[f64], factor: f64, target: &mut [f64]) {
-        for (start, row) in &self.turning {
-            target[start + THETA] += factor * row.dot(&vec3(q, start + P));
+        for ChartRate { angle, slope, row } in &self.turning {
+            target[*angle] += factor * row.dot(&vec3(q, *slope));
         }
     }
 
@@ -139,13 +137,4 @@ impl Linearization {
     fn respond(&mut self, system: &System, right: &mut [f64]) -> Result<(), Error> {
         self.kkt.solve_more(system, right, self.time)
     }
-}
-
-/// `−(t × t')ᵀ/|p|` of each node whose tangent turns, `t'` its rate.
-fn turning(system: &System, state: &State, cache: &FrameCache) -> Vec<(usize, Vec3)> {
-    let rows = system.mesh.framed.iter().zip(cache.frames()).map(|(start, frame)| {
-        let rate = frame.t_p() * vec3(&state.velocity, start + P);
-        (*start, -frame.t.cross(&rate) / frame.stretch)
-    });
-    rows.filter(|(_, row)| *row != Vec3::zeros()).collect()
 }

@@ -14,9 +14,9 @@ use crate::solve::newton::kkt::Kkt;
 
 /// Largest number of states whose poles are found: the time grows with its third power, some 20 s here.
 pub const MOST_STATES: usize = 1500;
-/// What rounding leaves of a pole, over the largest one.
+/// Round-off of a pole, over the largest one.
 const NOISE: f64 = 1e-15;
-/// What rounding leaves of a real part, over the pole.
+/// Round-off of a real part, over the pole.
 const LEAST_RATIO: f64 = 1e-9;
 /// Rounding of a double pole at 0 over the share of the stiffness that is round-off: a double root has its square root.
 const MARGIN: f64 = 1e3;
@@ -43,6 +43,8 @@ pub struct Pole {
     pub kind: PoleKind,
     /// The motion of all coordinates when it is largest, with the pole's vector.
     pub shape: Vec<f64>,
+    /// Real and imaginary part of that vector.
+    pub parts: [Vec<f64>; 2],
 }
 
 impl Pole {
@@ -69,7 +71,7 @@ pub fn poles(system: &System, base: &Base, selection: &Selection, a: &Dense) -> 
     let largest = found.iter().map(|(value, _)| value[0].hypot(value[1])).fold(0.0, f64::max);
     let mut poles: Vec<Pole> = Vec::new();
     for (value, vector) in found.into_iter().filter(|(value, _)| value[1] >= 0.0) {
-        let shape = shape(selection, &vector);
+        let (shape, parts) = shape(selection, &vector);
         let size = value[0].hypot(value[1]);
         let noise = NOISE * largest;
         let kind = if size <= noise || stillness.is_rigid(system, size, &shape) {
@@ -81,22 +83,24 @@ pub fn poles(system: &System, base: &Base, selection: &Selection, a: &Dense) -> 
         } else {
             PoleKind::Overdamped
         };
-        poles.push(Pole { value, kind, shape });
+        poles.push(Pole { value, kind, shape, parts });
     }
     poles.sort_by(|a, b| a.natural_frequency().total_cmp(&b.natural_frequency()));
     Ok(poles)
 }
 
-/// What a motion of the coordinates looks like when it is largest, by the vector of its pole.
-fn shape(selection: &Selection, vector: &[[f64; 2]]) -> Vec<f64> {
+/// The motion of the coordinates when it is largest, by the vector of its pole; and real and imaginary part of that
+/// vector in all coordinates.
+fn shape(selection: &Selection, vector: &[[f64; 2]]) -> (Vec<f64>, [Vec<f64>; 2]) {
     let free = selection.chosen.len();
     let parts = [0, 1].map(|part| vector[..free].iter().map(|value| value[part]).collect::<Vec<f64>>());
     let [real, imaginary] = parts.each_ref().map(|part| dot(part, part));
     let product = dot(&parts[0], &parts[1]);
     // The phase at which Re(v exp(i φ)) is longest.
     let (sin, cos) = (0.5 * f64::atan2(-2.0 * product, real - imaginary)).sin_cos();
-    let own: Vec<f64> = parts[0].iter().zip(&parts[1]).map(|(real, imaginary)| cos * real - sin * imaginary).collect();
-    selection.shapes.times(&own)
+    let parts = parts.map(|part| selection.shapes.times(&part));
+    let shape = parts[0].iter().zip(&parts[1]).map(|(real, imaginary)| cos * real - sin * imaginary).collect();
+    (shape, parts)
 }
 
 /// Tells motions that nothing holds by the stiffness of their shapes.

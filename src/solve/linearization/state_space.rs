@@ -36,7 +36,7 @@ pub struct StateSpace {
     pub d: Dense,
 }
 
-/// What a unit of a state or of an input does to the system.
+/// The motion that a unit of a state or of an input makes.
 #[derive(Clone, Debug)]
 struct Motion {
     q: Vec<f64>,
@@ -59,7 +59,7 @@ pub struct Reduction<'a, I> {
 }
 
 impl<'a, I: Inputs> Reduction<'a, I> {
-    /// Of `linearization` about `base`, in the coordinates of `selection`.
+    /// Prepares the reduction of `linearization` about `base` to the coordinates of `selection`.
     pub fn new(
         (system, base, inputs): (&'a System, &'a Base, &'a I),
         linearization: Linearization,
@@ -97,8 +97,8 @@ impl<'a, I: Inputs> Reduction<'a, I> {
             a.column_mut(column)[number] = 1.0;
             set(self, &motion, a.column_mut(column), c.column_mut(column));
         }
-        for (place, number) in motions.iter().enumerate() {
-            let [value, rate] = [0, 1].map(|order| 2 * free + 2 * place + order);
+        for (own, number) in motions.iter().enumerate() {
+            let [value, rate] = [0, 1].map(|order| 2 * free + 2 * own + order);
             let motion = self.of_input(*number, 0)?;
             set(self, &motion, a.column_mut(value), c.column_mut(value));
             let motion = self.of_input(*number, 1)?;
@@ -182,7 +182,7 @@ impl<'a, I: Inputs> Reduction<'a, I> {
         given: Option<(usize, usize)>,
     ) -> Result<Motion, Error> {
         let (coordinates, free) = (self.system.coordinates(), self.selection.chosen.len());
-        // What the rates of the independent coordinates have by the motion of charts and directors.
+        // Charts and directors that move have a part in the rates of the independent coordinates.
         let mut present = vec![0.0; free];
         if !self.base.is_at_rest {
             let mut turned = vec![0.0; coordinates];
@@ -285,8 +285,8 @@ impl<'a, I: Inputs> Reduction<'a, I> {
         let reach = self.system.smooth_reach(REACH);
         let length = self.system.size / shortest(self.system);
         let size = |changes: &[f64]| {
-            let [places, others] = self.system.motion_sizes(changes);
-            (places * length).max(others)
+            let [positions, others] = self.system.motion_sizes(changes);
+            (positions * length).max(others)
         };
         let largest = size(&motion.q).max(size(&motion.velocity));
         let given = match motion.given {

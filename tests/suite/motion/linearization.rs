@@ -114,8 +114,9 @@ fn poles_of_a_damped_cantilever_meet_the_closed_form() {
     let poles = found.poles(&model).unwrap();
     let speed = |moment: f64| (YOUNG * moment / (DENSITY * WIDTH * HEIGHT)).sqrt();
     let axes = [WIDTH * HEIGHT.powi(3) / 12.0, HEIGHT * WIDTH.powi(3) / 12.0];
-    for moment in axes {
-        for (root, bound) in ROOTS.into_iter().zip([3e-7, 6e-6, 5e-5]) {
+    // The third pole about the stiff axis is near the critical damping, where errors of the frequency count twice.
+    for (moment, bounds) in axes.into_iter().zip([[3e-7, 6e-6, 5e-5], [3e-7, 6e-6, 1.5e-4]]) {
+        for (root, bound) in ROOTS.into_iter().zip(bounds) {
             let omega = speed(moment) * root * root;
             let decay = 0.5 * (STIFFNESS_DAMPING * omega * omega + MASS_DAMPING);
             let swing = Complex::from(omega * omega - decay * decay).sqrt() * Complex::new(0.0, 1.0);

@@ -79,7 +79,26 @@ fn files_have_the_matrices() {
     }
 }
 
-/// About the equilibrium a hanging chain of parts is at rest; as drawn it is not, which is told with the remedy.
+/// A run that begins with the mode shows the pole to what its steps and its amplitude leave: 2e-5 of the midpoint rule
+/// with 400 steps in a period.
+#[test]
+fn a_run_checks_the_softest_vibration() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("slider.toml"), SLIDER).unwrap();
+    let output = ancf14(directory.path(), &["linearize", "slider.toml", "--check", "--json"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let run = [0, 1].map(|part| document["check"]["run"][part].as_f64().unwrap());
+    let difference = document["check"]["difference"].as_f64().unwrap();
+    println!("{run:?}, {difference:.1e}");
+    assert!((run[0] + 1.0).abs() < 1e-3 && (run[1] - 99.0_f64.sqrt()).abs() < 1e-3 && difference < 1e-4);
+    let output = ancf14(directory.path(), &["linearize", "slider.toml", "--check"]);
+    assert!(text(&output.stdout).contains("check: the softest vibration has the pole -1.00000 ± 9.94987i rad/s"));
+    let moving = ancf14(directory.path(), &["linearize", &model("pendulum"), "--at", "0.01", "--check"]);
+    assert!(moving.status.code() == Some(2) && text(&moving.stderr).contains("--check is for a state at rest"));
+}
+
+/// A cantilever is at rest about its equilibrium; as drawn it is not, which is told with the remedy.
 #[test]
 fn the_state_is_that_of_at() {
     let directory = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! What a linear system has as inputs: those that a host gives, and the motions of drives.
+//! The inputs of a linear system: those that a host gives, and the motions of drives.
 
 use super::{Simulation, wrong};
 use crate::fmi::Failure;
@@ -18,7 +18,7 @@ use crate::model::variables::inputs::Inputs;
 use crate::solve::linearization;
 use crate::solve::linearization::state_space::change_drive;
 
-/// What an input changes.
+/// The change that an input makes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Change {
     /// A number that a host gives: a load, an effort, a temperature.
@@ -133,11 +133,11 @@ impl Simulation {
         let switches: Vec<Number> =
             builder::switches(document).flatten().filter(|own| own.input).map(|own| own.active).collect();
         let rows = table.variables.iter().zip(&table.sources);
-        for (variable, place) in rows.filter_map(|(variable, source)| match source {
-            Source::Input(place) => Some((variable, *place)),
+        for (variable, index) in rows.filter_map(|(variable, source)| match source {
+            Source::Input(index) => Some((variable, *index)),
             _ => None,
         }) {
-            let number = self.inputs.number(place);
+            let number = self.inputs.number(index);
             if switches.contains(&number) {
                 continue;
             }
@@ -149,7 +149,7 @@ impl Simulation {
                     None => Some(Given {
                         name: variable.name.clone(),
                         unit: variable.quantity.unit.clone(),
-                        value: self.inputs.value(place),
+                        value: self.inputs.value(index),
                         states: None,
                         variable: String::new(),
                         change: Change::Number(number),

@@ -53,7 +53,7 @@ pub struct Linear {
     pub d: Matrix,
     /// The time of the state, s.
     pub time: f64,
-    /// What the user should know of it.
+    /// Warnings about the state.
     pub warnings: Vec<String>,
     base: Base,
     selection: Selection,
@@ -244,7 +244,7 @@ fn states(system: &System, selection: &Selection, asked: &Asked) -> Vec<Signal> 
     states
 }
 
-/// What the user should know of the state that the linear system is about.
+/// Warnings about the state that the linear system is about.
 fn warnings(system: &System, base: &Base) -> Vec<String> {
     let mut warnings = Vec::new();
     if base.imbalance.is_nan() || base.imbalance > BALANCED {

@@ -1,0 +1,83 @@
+"""Is a linear system that of the closed form, and do its files have the same numbers?"""
+
+import json
+from pathlib import Path
+
+import ancf14
+import numpy as np
+import pytest
+from conftest import MODELS
+
+CANTILEVER = MODELS / "cantilever.toml"
+
+# A mass of 2 kg on a spring of 200 N/m and a damper of 4 N s/m: x'' = -100 x - 2 x' + u/2.
+SLIDER = """
+format = 1
+model = { name = "Slider", gravity = [0, 0, 0] }
+body.slider = { mass = 2, position = [0, 0, 0], inertia = [0.1, 0.1, 0.1] }
+joint.rail = { type = "prismatic", a = "ground", b = "slider", axis = [1, 0, 0], damping = 4, stiffness = 200 }
+load.push = { at = "slider", force = [3, 0, 0], input = true }
+output.way = { at = "rail", quantities = ["distance", "distance_rate"] }
+simulation = { stop = 1, step = 1e-3 }
+"""
+
+
+def test_matrices_and_poles_are_those_of_the_closed_form() -> None:
+    model = ancf14.Model.from_string(SLIDER)
+    system = model.linearize(["push.force[1]"], ["way.distance", "way.distance_rate"], at="equilibrium")
+    assert system.A == pytest.approx(np.array([[0, 1], [-100, -2]]), abs=1e-12)
+    assert system.B == pytest.approx(np.array([[0], [0.5]]), abs=1e-14)
+    assert system.C == pytest.approx(np.eye(2), abs=1e-10) and system.D.tolist() == [[0], [0]]
+    assert system.states == ["slider.position[1]", "slider.position[1].rate"] and system.units["slider.position[1].rate"] == "m/s"
+    assert system.u0.tolist() == [3] and system.y0 == pytest.approx([3 / 200, 0], rel=1e-9)
+    assert system.poles == pytest.approx([-1 + 1j * np.sqrt(99)], rel=1e-12)
+    assert system.damping == pytest.approx([0.1], rel=1e-12) and system.frequencies == pytest.approx([10 / (2 * np.pi)], rel=1e-12)
+    assert system.kinds == ["oscillating"]
+    # The whole vector, and all outputs.
+    assert model.linearize(["push.force"], at="equilibrium").D.shape == (2, 3)
+
+
+def test_a_state_that_is_no_equilibrium_is_warned_of() -> None:
+    with pytest.warns(ancf14.SolverWarning, match="not in equilibrium"):
+        ancf14.Model.from_string(SLIDER).linearize()
+    with pytest.warns(ancf14.SolverWarning, match="the mechanism moves"):
+        assert ancf14.Model.from_string(SLIDER).linearize(at=0.1).time == 0.1
+
+
+def test_files_have_the_same_numbers(tmp_path: Path) -> None:
+    system = ancf14.Model(CANTILEVER).linearize(at="equilibrium")
+    archive = np.load(system.save(tmp_path / "m.npz"))
+    document = json.loads(system.save(tmp_path / "m.json").read_text())
+    loadmat = pytest.importorskip("scipy.io").loadmat
+    structure = loadmat(system.save(tmp_path / "m.mat"), simplify_cells=True)["sys"]
+    for name in "ABCD":
+        own = getattr(system, name)
+        assert np.array_equal(archive[name], own), name
+        assert np.array_equal(np.array(document[name]).reshape(own.shape), own), name
+        assert np.array_equal(np.asarray(structure[name]).reshape(own.shape), own), name
+    assert archive["states"].tolist() == document["states"] == list(structure["states"]) == system.states
+    assert archive["outputs"].tolist() == system.outputs == list(structure["outputs"])
+    found = np.array(document["poles_real"]) + 1j * np.array(document["poles_imag"])
+    assert len(found) == len(system.states)
+    assert found[0] == system.poles[0] and found[1] == system.poles[0].conjugate()
+    with pytest.raises(ancf14.CallError, match="ends in .npz, .mat or .json"):
+        system.save(tmp_path / "m.csv")
+
+
+def test_python_control_takes_it() -> None:
+    control = pytest.importorskip("control")
+    system = ancf14.Model.from_string(SLIDER).linearize(["push.force[1]"], ["way.distance"], at="equilibrium")
+    own = system.to_control()
+    assert own.input_labels == ["push.force[1]"] or own.input_labels == system.inputs
+    # At rest the force is that of the spring.
+    assert control.dcgain(own) == pytest.approx(1 / 200, rel=1e-9)
+
+
+def test_mistakes_are_told() -> None:
+    model = ancf14.Model.from_string(SLIDER)
+    with pytest.raises(ancf14.CallError, match='"start", "equilibrium" or a time'):
+        model.linearize(at="rest")
+    with pytest.raises(ancf14.CallError, match="a list of names"):
+        model.linearize("push.force")
+    with pytest.raises(ancf14.RunError, match="no input `pull.force`"):
+        model.linearize(["pull.force"])
