@@ -94,12 +94,13 @@ class Linearization:
         return np.where(rigid, 0.0, -poles.real / size)
 
     def to_control(self) -> Any:
-        """Return a ``StateSpace`` of python-control, with the names of states, inputs and outputs; needs control."""
+        """Return a ``StateSpace`` of python-control, which it needs. Names have ``_`` for dots there, which python-control does not take."""
         try:
             import control
         except ImportError:
             missing("control", "a system of python-control")
-        return control.ss(self.A, self.B, self.C, self.D, states=self.states, inputs=self.inputs, outputs=self.outputs)
+        states, inputs, outputs = ([name.replace(".", "_") for name in names] for names in (self.states, self.inputs, self.outputs))
+        return control.ss(self.A, self.B, self.C, self.D, states=states, inputs=inputs, outputs=outputs)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the system to a file whose ending says what it is, and return the path: ``.npz`` for numpy, ``.mat`` for MATLAB and Octave, ``.json``."""

@@ -12,7 +12,7 @@ use crate::solve::modes::subspace::dot;
 use crate::solve::modes::{ROUND_OFF, linearize};
 use crate::solve::newton::kkt::Kkt;
 
-/// Largest number of states whose poles are found: the time grows with its third power, some 20 s here.
+/// Largest number of states whose poles are found: the time grows with its third power, and 900 take seconds.
 pub const MOST_STATES: usize = 1500;
 /// Round-off of a pole, over the largest one.
 const NOISE: f64 = 1e-15;
