@@ -158,8 +158,8 @@ impl Blocks {
                 continue;
             }
             let values = &self.values[*start..start + block.rows * block.columns];
-            for (place, value) in values.iter().enumerate() {
-                sum += term(a[block.row + place % block.rows], *value, b[block.column + place / block.rows]);
+            for (entry, value) in values.iter().enumerate() {
+                sum += term(a[block.row + entry % block.rows], *value, b[block.column + entry / block.rows]);
             }
         }
         sum

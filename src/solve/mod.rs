@@ -1,7 +1,7 @@
 //! Linear systems, Newton, equilibria, natural modes, steps in time and their derivatives.
 //!
-//! The rooms are a stack, the lowest first: `linear`, `newton`, `step`, `modes` and `sensitivity`, `linearization`, `statics`,
-//! `dynamics`.
+//! The rooms are a stack, the lowest first: `linear`, `newton`, `step`, `modes` and `sensitivity`, `linearization`,
+//! `statics`, `dynamics`.
 
 pub mod dynamics;
 pub mod linear;

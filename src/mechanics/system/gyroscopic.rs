@@ -180,8 +180,8 @@ pub fn add_rate_damping(
     });
 }
 
-/// A row of the matrix `N` by which charts that go with the motion change the rates of coordinates: that of the angle of
-/// a node whose tangent turns (docs/linearization.md).
+/// A row of the matrix `N` by which charts that go with the motion change the rates of coordinates (see
+/// docs/linearization.md): that of the angle of a node whose tangent turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChartRate {
     /// The coordinate of the angle.

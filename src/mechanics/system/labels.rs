@@ -59,8 +59,8 @@ impl System {
         format!("node {node}")
     }
 
-    /// The name of coordinate `index` among the states of a linear system: `arm.node[3].slope[2]`. Directors of bodies are
-    /// none.
+    /// The name of coordinate `index` among the states of a linear system: `arm.node[3].slope[2]`. Directors of bodies
+    /// have none.
     pub fn coordinate_name(&self, index: usize) -> String {
         if index >= self.mesh.coordinates() {
             let local = index - self.mesh.coordinates();

@@ -1,5 +1,5 @@
-//! Dense matrices of small systems: triangular factors with pivoting, and eigenvalues with their vectors. Programs that show a mechanism
-//! as a linear system use them; no step does.
+//! Dense matrices of small systems: triangular factors with pivoting, and eigenvalues with their vectors. Programs that
+//! show a mechanism as a linear system use them; no step does.
 
 use super::Singular;
 use faer::MatRef;

@@ -42,8 +42,8 @@ pub struct Selection {
 }
 
 impl Selection {
-    /// Selects by the gradients of the constraints in `kkt_blocks`, at the coordinates `q`. None: they are redundant, or
-    /// nothing can move.
+    /// Selects by the gradients of the constraints in `kkt_blocks`, at the coordinates `q`. None: the constraints are
+    /// redundant, or nothing can move.
     pub fn new(system: &System, kkt_blocks: &Blocks, q: &[f64], released: usize) -> Option<Self> {
         let (coordinates, conditions) = (system.coordinates(), system.constraints());
         let turns = POSITION * system.bodies.len();
@@ -117,8 +117,8 @@ impl Selection {
         self.chosen.iter().map(unit).collect()
     }
 
-    /// Sets `own` to the independent ones of `values`, changes of all coordinates or of their rates. A turn of a body is
-    /// the sum of `factor ½ Σ left × right` over its directors and over `pairs`.
+    /// Sets `own` to the independent ones of `values`, changes of all coordinates or of their rates. A turn of a body
+    /// is the sum of `factor ½ Σ left × right` over its directors and over `pairs`.
     pub(super) fn read(&self, system: &System, pairs: &[(f64, &[f64], &[f64])], values: &[f64], own: &mut [f64]) {
         for (target, chosen) in own.iter_mut().zip(&self.chosen) {
             *target = match *chosen {

@@ -110,7 +110,8 @@ impl Simulation {
         match [&linear.a, &linear.b, &linear.c, &linear.d].iter().all(|own| own.values.iter().all(|v| v.is_finite())) {
             true => Ok(linear),
             false => Err(wrong(String::from(
-                "the linear system is not finite: an output or a law of the mechanism has no derivative in this state; linearize about another one",
+                "the linear system is not finite: an output or a law of the mechanism has no derivative in this \
+                 state; linearize about another one",
             ))),
         }
     }
@@ -155,7 +156,8 @@ impl Simulation {
         let winch = system.winches.iter().any(|winch| state.prescribed.drives[winch.drive].first != 0.0);
         if winch {
             return Err(wrong(String::from(
-                "a winch is moving: the mass that it pays out changes, and the linear system with it; linearize where it stands still",
+                "a winch is moving: the mass that it pays out changes, and the linear system with it; linearize where \
+                 it stands still",
             )));
         }
         Base::new(system, &state).map_err(|error| failure(&error))
@@ -168,7 +170,8 @@ impl Simulation {
         let states = 2 * selection.chosen.len();
         if states > MOST {
             return Err(wrong(format!(
-                "the linear system would have {states} states, and its dense matrices at most {MOST}; take fewer elements"
+                "the linear system would have {states} states, and its dense matrices at most {MOST}; take fewer \
+                 elements"
             )));
         }
         Ok(selection)
@@ -249,21 +252,23 @@ fn warnings(system: &System, base: &Base) -> Vec<String> {
     let mut warnings = Vec::new();
     if base.imbalance.is_nan() || base.imbalance > BALANCED {
         warnings.push(format!(
-            "the mechanism is at rest, but not in equilibrium, which is about {:.1e} of its size away: it would leave this state by itself, and the linear \
-             system leaves that motion out. Linearize about the equilibrium: --at equilibrium",
+            "the mechanism is at rest, but not in equilibrium, which is about {:.1e} of its size away: it would leave \
+             this state by itself, and the linear system leaves that motion out. Linearize about the equilibrium: --at \
+             equilibrium",
             base.imbalance
         ));
     }
     if !base.is_at_rest {
         warnings.push(String::from(
-            "the mechanism moves in this state: the matrices are those of the instant. The poles tell stability and frequencies only if the motion is steady and \
-             the matrices do not change with it; a run in time shows whether they do",
+            "the mechanism moves in this state: the matrices are those of the instant. The poles tell stability and \
+             frequencies only if the motion is steady and the matrices do not change with it; a run in time shows \
+             whether they do",
         ));
     }
     if system.has_dry_friction() {
         warnings.push(String::from(
-            "dry friction enters with the slope that it has in this state, the stiffness of sticking where it holds: the linear system is right for motions that do \
-             not slide; for others give the joint viscous friction",
+            "dry friction enters with the slope that it has in this state, the stiffness of sticking where it holds: the \
+             linear system is right for motions that do not slide; for others give the joint viscous friction",
         ));
     }
     warnings

@@ -65,8 +65,8 @@ impl Simulation {
     }
 }
 
-/// The pole of a vibration with the values `signal`, `interval` s from each other (Prony): `x_(k+1) = a x_k + b x_(k−1)`
-/// in the sense of least squares.
+/// The pole of a vibration with the values `signal`, `interval` s from each other (Prony), by least squares:
+/// `x_(k+1) = a x_k + b x_(k−1)`.
 fn fitted(signal: &[f64], interval: f64) -> [f64; 2] {
     let (last, now, next) = (&signal[..signal.len() - 2], &signal[1..signal.len() - 1], &signal[2..]);
     let [[xx, xy], [_, yy]] = [[dot(now, now), dot(now, last)], [0.0, dot(last, last)]];
