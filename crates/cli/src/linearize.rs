@@ -71,7 +71,6 @@ fn at(text: &str) -> Result<At, String> {
 }
 
 /// Splits at commas that are not in brackets: `shape.position[1,2]` is one name.
-#[expect(clippy::unnecessary_wraps, reason = "the shape of a parser of arguments")]
 fn names(text: &str) -> Result<Names, String> {
     let mut names = vec![String::new()];
     let mut depth = 0_i32;

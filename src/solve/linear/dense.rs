@@ -20,6 +20,9 @@ pub struct Dense {
     pub values: Vec<f64>,
 }
 
+/// An eigenvalue and its eigenvector, real and imaginary parts.
+pub type Eigenpair = ([f64; 2], Vec<[f64; 2]>);
+
 impl Dense {
     /// Zeros.
     pub fn zeros(rows: usize, columns: usize) -> Self {
@@ -54,7 +57,7 @@ impl Dense {
     ///
     /// # Errors
     /// They do not converge, or a value is not finite.
-    pub fn eigenvectors(&self) -> Result<Vec<([f64; 2], Vec<[f64; 2]>)>, Singular> {
+    pub fn eigenvectors(&self) -> Result<Vec<Eigenpair>, Singular> {
         if self.values.iter().any(|value| !value.is_finite()) {
             return Err(Singular);
         }

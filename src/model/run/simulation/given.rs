@@ -185,7 +185,6 @@ impl Simulation {
 }
 
 /// The motion of a frame that a host's `number` is a part of; the inner none: it cannot be an input here.
-#[expect(clippy::option_option, reason = "no part of a frame, and a part that is no input, are two answers")]
 fn of_frame(document: &Document, state: &State, number: Number, inputs: &Inputs) -> Option<Option<Given>> {
     let index = document.frames.iter().position(|frame| frame.input && frame.numbers().any(|own| own == number))?;
     let (frame, motion) = (&document.frames[index], &state.prescribed.frames[index]);
