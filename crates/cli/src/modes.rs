@@ -131,7 +131,7 @@ fn damped(simulation: &Simulation, wishes: Wishes, folder: &mut Folder, director
     if simulation.system().has_dry_friction() {
         complain("warning: dry friction is left out of the modes: what it takes depends on the amplitude");
     }
-    folder.write(DAMPED, &modes::damped_list(&found))?;
+    folder.write(DAMPED, modes::damped_list(&found))?;
     if voice::is_json() {
         let mode = |mode: &DampedMode| {
             let [real, imaginary] = mode.value;
