@@ -7,6 +7,13 @@ pub const GAUSS_POINTS: [f64; 3] = [0.5 - SQRT_15 / 10.0, 0.5, 0.5 + SQRT_15 / 1
 /// Weights of the 3-point Gauss rule.
 pub const GAUSS_WEIGHTS: [f64; 3] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
 
+/// Points of the 4-point Gauss rule.
+pub const FOUR_POINTS: [f64; 4] =
+    [0.069_431_844_202_973_71, 0.330_009_478_207_571_87, 0.669_990_521_792_428_1, 0.930_568_155_797_026_3];
+/// Weights of the 4-point Gauss rule.
+pub const FOUR_WEIGHTS: [f64; 4] =
+    [0.173_927_422_568_726_93, 0.326_072_577_431_273_07, 0.326_072_577_431_273_07, 0.173_927_422_568_726_93];
+
 /// Points of the 5-point Gauss rule.
 pub const FIVE_POINTS: [f64; 5] =
     [0.046_910_077_030_668_004, 0.230_765_344_947_158_45, 0.5, 0.769_234_655_052_841_6, 0.953_089_922_969_332];

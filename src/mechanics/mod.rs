@@ -1,8 +1,8 @@
 //! Sections, the ANCF14 element and its comparator ANCF24, bodies, joints, drives, springs and loads: no FMI, no files,
 //! no clock, no solver.
 //!
-//! The rooms are a stack, the lowest first: `geometry`, `body` and `input`, `beam` and `state`, `marker`, `constraint`
-//! and `force`, `system`, `output`.
+//! The rooms are a stack, the lowest first: `geometry`, `body`, `input` and `water`, `beam` and `state`, `marker`,
+//! `constraint` and `force`, `system`, `output`.
 //!
 //! Numbers behind "MECHANICS" and in parentheses refer to docs/mechanics.md. NOTATION of the code, SI throughout:
 //!
@@ -30,3 +30,4 @@ pub mod marker;
 pub mod output;
 pub mod state;
 pub mod system;
+pub mod water;

@@ -17,6 +17,7 @@ mod motion;
 mod references;
 mod support;
 mod trust;
+mod water;
 mod words;
 
 use ancf14_testing::{curves, golden, integrators, paths, planar_rod, random, running};

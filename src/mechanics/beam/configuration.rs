@@ -75,6 +75,8 @@ pub struct TimeStep<'a, C = BeamConfiguration<'a>> {
     pub predicted_rates: &'a [f64],
     /// What elements with holonomy angles have at the start.
     pub starts: &'a [EndStrains],
+    /// By how much the velocities that accelerations are counted from exceed those at the start, 1/s each; empty: not.
+    pub velocity_lead: &'a [f64],
 }
 
 impl<C> TimeStep<'_, C> {

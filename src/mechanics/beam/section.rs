@@ -152,6 +152,8 @@ pub struct Section {
     /// Mass per length, kg/m, its polar moment, and its moments about y and z, kg m, where they do not follow from the
     /// density.
     pub inertia: Option<[f64; 4]>,
+    /// Mass per length of what fills it, kg/m.
+    pub contents: f64,
     /// Its outline; the integrals may be given differently.
     pub outline: Outline,
 }
@@ -169,6 +171,7 @@ impl Section {
         tension_center: [0.0; 2],
         twist: 0.0,
         inertia: None,
+        contents: 0.0,
         outline: Outline::General,
     };
 
@@ -176,7 +179,10 @@ impl Section {
     pub fn densities(&self, material: &Material) -> [f64; 2] {
         match self.inertia {
             Some([line_density, spin, ..]) => [line_density, spin],
-            None => [self.area, self.polar_moment].map(|integral| material.density * integral),
+            None => {
+                let [line_density, spin] = [self.area, self.polar_moment].map(|integral| material.density * integral);
+                [line_density + self.contents, spin]
+            }
         }
     }
 

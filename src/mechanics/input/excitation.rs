@@ -71,12 +71,14 @@ pub struct Excitation {
     pub wrenches: Vec<Wrench>,
     /// Efforts of the actuators, in their order, N m or N; of those that follow coordinates the share that acts.
     pub efforts: Vec<f64>,
+    /// Share of the drag of water that acts, 0 to 1; its buoyancy follows gravity.
+    pub water: f64,
 }
 
 impl Excitation {
     /// Takes the values of another one, keeping its own memory.
     pub fn copy_from(&mut self, other: &Self) {
-        (self.time, self.gravity) = (other.time, other.gravity);
+        (self.time, self.gravity, self.water) = (other.time, other.gravity, other.water);
         self.wrenches.clone_from(&other.wrenches);
         self.efforts.clone_from(&other.efforts);
     }
@@ -86,6 +88,7 @@ impl Excitation {
     pub fn set_between(&mut self, start: &Self, end: &Self, share: f64) {
         self.copy_from(end);
         self.gravity = start.gravity * (1.0 - share) + end.gravity * share;
+        self.water = start.water * (1.0 - share) + end.water * share;
         for (number, wrench) in self.wrenches.iter_mut().enumerate() {
             let from = start.wrenches.get(number).copied().unwrap_or_default();
             wrench.force = from.force * (1.0 - share) + wrench.force * share;

@@ -72,8 +72,10 @@ impl<'a> Passage<'a> {
 impl<'a> TimeStep<'a> {
     /// As elements see it.
     pub fn of_beams(&self) -> beams::TimeStep<'a> {
-        let Self { start, end, increment, duration, velocity, dissipation, strain_rates, predicted_rates, starts } =
-            *self;
+        let Self {
+            start, end, increment, duration, velocity, dissipation, strain_rates, predicted_rates, starts, ..
+        } = *self;
+        let velocity_lead = self.velocity_lead;
         let (start, end) = (&start.beams, &end.beams);
         beams::TimeStep {
             start,
@@ -85,6 +87,7 @@ impl<'a> TimeStep<'a> {
             strain_rates,
             predicted_rates,
             starts,
+            velocity_lead,
         }
     }
 }

@@ -63,6 +63,11 @@ impl Sensor {
         Self { marker, drawn: marker.pose(c), on_beam, observer: None, facing: Facing::default(), sections }
     }
 
+    /// Of a point of a beam: an element that it belongs to, with the place in it.
+    pub fn in_element(&self) -> Option<(usize, f64)> {
+        self.sections.first().map(|section| (section.element, section.xi))
+    }
+
     /// The element, with the place in it, whose strains turn the section beyond its marker: of a point inside an
     /// element. What is tied to the section turns with the marker, as loads and springs do.
     fn relaxed(&self) -> Option<(usize, f64)> {

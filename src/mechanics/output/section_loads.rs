@@ -8,6 +8,8 @@ use super::joint_loads::{JointLoads, Side};
 use crate::math::Vec3;
 use crate::math::quadrature::shares_of_three;
 use crate::math::rotation::rotation_matrix;
+use crate::mechanics::beam::ancf14::element::Element;
+use crate::mechanics::beam::ancf14::fluid_load::{Moving, Surroundings};
 use crate::mechanics::beam::balance::{Acting, Balance, Instant};
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::line_load::{ElementForces, LOAD_POINTS, MOST_COORDINATES};
@@ -18,6 +20,7 @@ use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::marker::sensor::{Facing, Section};
 use crate::mechanics::system::inner_parts::InnerPart;
+use crate::mechanics::system::water::water_alone;
 
 /// Force and moment of a section in its axes: of the part towards the end on the part towards the start.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -80,7 +83,24 @@ impl SectionLoads<'_> {
             let jacobian = own.section_jacobian(&c.beams, xi);
             add((jacobian.place_q.tr_mul(&force) + jacobian.turn_q.tr_mul(&moment)).as_slice(), &mut inside);
         });
+        self.in_water(element, |own, water, moving| {
+            let mut forces = vec![0.0; state.q.len()];
+            own.add_water(water, moving, 1.0, &mut forces);
+            add(own.own(&forces), &mut inside);
+        });
         ElementBalance { loads: self, element, balance: own.balance(&c.beams, &self.instant(element), &inside), along }
+    }
+
+    /// Calls `with` with element `element` in the water that acts on it now; without water it is not called.
+    fn in_water(&self, element: usize, with: impl FnOnce(&Element, &Surroundings, &Moving)) {
+        let JointLoads { system, state, c, .. } = *self.joints;
+        if system.is_in_water() {
+            let Instant { moves, velocity, gravity, .. } = self.instant(element);
+            let water = water_alone(gravity, state.instant());
+            let rest = vec![0.0; if moves { 0 } else { velocity.len() }];
+            let (velocity, acceleration) = if moves { (velocity, self.acceleration) } else { (&rest[..], &rest[..]) };
+            system.in_water(element, (c.beams.q, velocity, acceleration), &water, with);
+        }
     }
 
     /// How element `element` moves.
@@ -153,6 +173,11 @@ impl ElementBalance<'_> {
                 Acting { position, force, moment }.add_about(&here, 1.0, &mut sum);
             }
         });
+        if xi > 0.0 {
+            self.loads.in_water(self.element, |own, water, moving| {
+                own.add_water_up_to(water, moving, xi, &here, &mut sum);
+            });
+        }
         for part in system.inner_parts_of(self.element) {
             if matches!(part, InnerPart::Load(number) if matches!(system.loads[number].site, Site::Line(_))) {
                 continue;

@@ -4,6 +4,7 @@
 use super::System;
 use super::frame_cache::FrameCache;
 use super::tangent_layout::TangentLayout;
+use super::water::WaterAt;
 use crate::math::blocks::Blocks;
 use crate::math::jet::Jet;
 use crate::mechanics::beam::ancf14::element::Element;
@@ -21,21 +22,29 @@ pub struct MassAt<'a> {
     pub drives: &'a [Jet],
     /// Frames of the nodes, for rotary inertia; none: the constant part of the matrix alone.
     pub frames: &'a [NodeFrame],
+    /// Where beams are in the water that moves with them; none: without it.
+    pub water: Option<WaterAt<'a>>,
 }
 
 impl<'a> MassAt<'a> {
     /// The constant part, with winches as drawn.
-    pub const CONSTANT: MassAt<'static> = MassAt { drives: &[], frames: &[] };
+    pub const CONSTANT: MassAt<'static> = MassAt { drives: &[], frames: &[], water: None };
 
     /// The mass matrix at the frames of `cache`.
     pub fn new(drives: &'a [Jet], cache: &'a FrameCache) -> Self {
-        Self { drives, frames: &cache.frames }
+        Self { drives, frames: &cache.frames, water: None }
+    }
+
+    /// The same with the added mass of beams in water at the coordinates `q` and `time`, s.
+    #[must_use]
+    pub fn wet(self, q: &'a [f64], time: f64) -> Self {
+        Self { water: Some(WaterAt { q, time }), ..self }
     }
 }
 
 impl<'a> From<&Configuration<'a>> for MassAt<'a> {
     fn from(c: &Configuration<'a>) -> Self {
-        Self { drives: c.beams.drives, frames: c.beams.frames }
+        Self { drives: c.beams.drives, frames: c.beams.frames, water: None }
     }
 }
 
@@ -123,6 +132,9 @@ impl System {
                 block[local * BODY + local] += factor * body.inertia(local);
             }
         }
+        if let Some(water) = at.water {
+            self.add_added_mass(water, factor, tangent);
+        }
     }
 
     /// `product = M vector`, with the mass matrix of [`Self::add_mass`].
@@ -135,6 +147,9 @@ impl System {
             for local in 0..BODY {
                 product[body.start + local] = body.inertia(local) * vector[body.start + local];
             }
+        }
+        if let Some(water) = at.water {
+            self.add_added_mass_times(water, vector, product);
         }
     }
 

@@ -22,6 +22,7 @@ mod sticking;
 mod switching;
 mod tangent_layout;
 pub mod variation;
+pub mod water;
 mod winches;
 pub mod work;
 
@@ -60,6 +61,7 @@ use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate};
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::State;
+use crate::mechanics::water::Water;
 use std::ops::Range;
 
 /// Coordinates of a place, the first ones of every node and body.
@@ -123,6 +125,8 @@ pub struct System {
     pub held: Vec<bool>,
     /// Parts that act between the nodes of elements, with the element, in the order of the elements.
     pub inner_parts: Vec<(usize, InnerPart)>,
+    /// The water that beams are in; none: they are dry.
+    pub water: Option<Box<Water>>,
 }
 
 /// The largest size of numbers.
@@ -151,6 +155,7 @@ impl System {
     /// Sets `excitation` to what acts at `time`, s; `targets` has what a host gives.
     pub fn excite(&self, time: f64, targets: &Targets, excitation: &mut Excitation) {
         (excitation.time, excitation.gravity) = (time, self.gravity);
+        excitation.water = if self.water.is_some() { 1.0 } else { 0.0 };
         excitation.wrenches.clear();
         excitation.wrenches.extend(self.loads.iter().zip(&targets.loads).map(|(load, target)| load.at(time, target)));
         excitation.efforts.clear();
@@ -159,7 +164,7 @@ impl System {
     }
 
     /// Whether loads act at `excitation` that derive from no potential: follower loads, and moments about axes that
-    /// stand still. Stability is then no matter of the stiffness alone.
+    /// stand still, and the drag of a current. Stability is then no matter of the stiffness alone.
     pub fn follows_no_potential(&self, excitation: &Excitation) -> bool {
         self.loads.iter().zip(&excitation.wrenches).any(|(load, wrench)| {
             let follows = load.direction == Direction::Follower && wrench.force != Vec3::zeros();
@@ -168,6 +173,7 @@ impl System {
             .actuators
             .iter()
             .any(|actuator| actuator.readings().iter().any(|own| own.coordinate != actuator.coordinate))
+            || self.water.as_ref().is_some_and(|water| water.drags())
     }
 
     /// What drives and frames prescribe at the start, `time` s; `from` is where drives by a rate are, and what is held
@@ -231,7 +237,9 @@ impl System {
         self.springs.iter().any(Spring::is_damped)
             || self.contacts.iter().any(|contact| contact.law.damping != 0.0)
             || self.has_material_damping()
+            || self.has_material_damping()
             || self.has_mass_damping()
+            || self.water.as_ref().is_some_and(|water| water.drags())
     }
 
     /// Number of coordinates: those of the nodes, then those of the bodies.

@@ -29,6 +29,8 @@ pub struct StepEnergy {
     pub by_winches: f64,
     /// The part of it that dampers take, J.
     pub dissipated: f64,
+    /// The part of it that water does, J.
+    pub by_water: f64,
 }
 
 impl System {
@@ -101,6 +103,10 @@ impl System {
         found.work += contacts.by_frames - contacts.dissipated;
         found.by_frames += contacts.by_frames;
         found.dissipated += contacts.dissipated;
+        if self.water.is_some() {
+            found.by_water = self.add_water_with_work(c, &passage, excitation, step.increment, forces);
+            found.work += found.by_water;
+        }
         found
     }
 

@@ -9,6 +9,7 @@ mod origin;
 mod parts;
 mod switches;
 mod tune;
+mod water;
 
 pub use tune::{aim, retune, switches, undirected};
 
@@ -90,6 +91,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     }
     let (mut system, mut state) = builder.system.finish(vector(document, document.model.gravity));
     system.origin = origin;
+    system.water = water::water(document, &lines, &system);
     state.balance.account = document.simulation.totals.contains(&Total::Work).then(EnergyAccount::default);
     // The size of the mechanism is known now.
     tune::set_springs(document, &mut system);
@@ -105,6 +107,12 @@ fn vector(document: &Document, numbers: [Number; 3]) -> Vec3 {
 fn nearest_axes(document: &Document, rows: [[Number; 3]; 3]) -> Mat3 {
     let written = Mat3::from_columns(&rows.map(|row| vector(document, row)));
     *Rotation3::from_matrix(&written).matrix()
+}
+
+/// A number that may vary along a beam, at the arc length `s`, m.
+fn function_value(document: &Document, number: Number, s: f64) -> f64 {
+    let function = document.function(number);
+    if function.is_constant() { document.value(number) } else { function.value(s) }
 }
 
 fn signal(document: &Document, number: Number) -> Signal {

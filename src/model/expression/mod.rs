@@ -36,6 +36,8 @@ pub enum Variable {
     Elongation,
     /// `x`, the coordinate that a gear with a law follows.
     Followed,
+    /// `z`, a height, with time `t` as a second variable.
+    Height,
 }
 
 impl Variable {
@@ -46,6 +48,7 @@ impl Variable {
             Self::Time | Self::Control | Self::AlongInTime => "t",
             Self::Curve => "s",
             Self::Elongation | Self::Followed => "x",
+            Self::Height => "z",
         }
     }
 
@@ -54,6 +57,7 @@ impl Variable {
         match self {
             Self::Elongation => "v",
             Self::AlongInTime => "s",
+            Self::Height => "t",
             Self::None | Self::Time | Self::Curve | Self::Control | Self::Followed => "",
         }
     }

@@ -6,6 +6,7 @@ use super::entries::function;
 use super::entries::overview::ModelSpec;
 use super::entries::parameters;
 use super::entries::simulation::{Analysis, SimulationSpec, Steps};
+use super::entries::water::WaterSpec;
 use super::entries::winch::WinchSpec;
 use super::entries::{Parts, keys_of};
 use super::many_results;
@@ -32,6 +33,8 @@ pub struct Document {
     pub(super) parameters: Vec<Parameter>,
     /// Name, description, gravity.
     pub model: ModelSpec,
+    /// The water around beams; none: they are dry.
+    pub water: Option<WaterSpec>,
     /// All that has a name.
     pub parts: Parts,
     /// What is computed.
@@ -77,6 +80,7 @@ impl Document {
         context.numbers.sort(&mut context.report);
 
         let model = tree.single(&mut context, "model").map(ModelSpec::read);
+        let water = tree.optional(&mut context, "water").map(WaterSpec::read);
         let parts = Parts::read(&mut context, |word| tree.table(word).unwrap_or_default());
         DriveSpec::report_doubles(&parts.drives, &mut context.report);
         WinchSpec::report_doubles(&parts.winches, &mut context.report);
@@ -96,7 +100,7 @@ impl Document {
         let parameters = Parameter::table(&numbers);
         collisions::report(&parameters, &numbers, &parts.outputs, &names, &mut report);
         let (Some(model), Some(simulation)) = (model, simulation) else { return (None, report) };
-        let document = Self { source: source.clone(), numbers, parameters, model, parts, simulation };
+        let document = Self { source: source.clone(), numbers, parameters, model, water, parts, simulation };
         (Some(document), report)
     }
 
@@ -247,6 +251,11 @@ impl Top {
         }
     }
 
+    /// A section that may be missing.
+    fn optional<'c, 'a>(&mut self, context: &'c mut Context<'a>, key: &str) -> Option<Reader<'c, 'a>> {
+        self.0.iter().any(|entry| entry.key == key).then(|| self.single(context, key)).flatten()
+    }
+
     /// A section that must be there.
     fn single<'c, 'a>(&mut self, context: &'c mut Context<'a>, key: &str) -> Option<Reader<'c, 'a>> {
         match self.take(key) {
@@ -271,7 +280,8 @@ impl Top {
 
     /// What is left over, and whether there is anything to move.
     fn finish(self, context: &mut Context<'_>) {
-        let known = || SECTIONS.iter().map(|(word, _)| *word).chain(["format", "model", "parameters", "simulation"]);
+        let known =
+            || SECTIONS.iter().map(|(word, _)| *word).chain(["format", "model", "parameters", "simulation", "water"]);
         for entry in &self.0 {
             let message = format!("unknown section or key `{}`", entry.key);
             let help = format!("known here: {}", known().collect::<Vec<_>>().join(", "));

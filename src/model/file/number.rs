@@ -250,8 +250,12 @@ impl Numbers {
                 Variable::AlongInTime if !formula.has_rate() => stop,
                 Variable::None => 0.0,
                 // The curve is looked at where it is drawn, a temperature along the beam, laws of springs and gears
-                // where they go.
-                Variable::Curve | Variable::AlongInTime | Variable::Elongation | Variable::Followed => return None,
+                // where they go, currents where beams are.
+                Variable::Curve
+                | Variable::Height
+                | Variable::AlongInTime
+                | Variable::Elongation
+                | Variable::Followed => return None,
             };
             let (time, undefined) = formula.undefined_between([0.0, end], |used| self.values[used])?;
             Some((Number(place), time, undefined))

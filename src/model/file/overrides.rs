@@ -146,6 +146,7 @@ fn find(tree: &mut [Entry], path: &str, place: Place, report: &mut Report<'_>) -
     let names = names(tree);
     let message = match path.split_once('.') {
         Some(("simulation", key)) => return single("simulation", key),
+        Some(("water", key)) if tree.iter().any(|entry| entry.key == "water") => return single("water", key),
         Some((name, key)) => {
             let candidates = candidates(&names, name, key);
             if !candidates.is_empty() {

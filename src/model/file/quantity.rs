@@ -36,6 +36,18 @@ pub enum Quantity {
     SectionMoment,
     /// Largest von Mises stress over the outline.
     Stress,
+    /// Axial force of the section, which in water is the effective tension.
+    EffectiveTension,
+    /// Angle of the tangent to the vertical.
+    Declination,
+    /// Depth of the axis below the surface of the water.
+    Submergence,
+    /// Velocity of the water.
+    FluidVelocity,
+    /// Drag of the water per length.
+    Drag,
+    /// Height of the surface of the water.
+    Elevation,
     /// Force of a joint on b, or that a frame must supply.
     ReactionForce,
     /// Moment of a joint on b, or that a frame must supply.
@@ -169,7 +181,7 @@ const MASS: Rows = Rows(&[Whole(Kind::Beam), Whole(Kind::Body)]);
 const WHOLE_BEAM: Rows = Rows(&[Whole(Kind::Beam)]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 38] = [
+pub const QUANTITIES: [Row; 44] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -226,6 +238,36 @@ pub const QUANTITIES: [Row; 38] = [
         1,
         "Pa",
         "largest von Mises stress over the section's outline; of a twisted rectangle an upper bound",
+    ),
+    BEAM.row(
+        Quantity::EffectiveTension,
+        "effective_tension",
+        1,
+        "N",
+        "axial force of the section, tension positive: in water the effective tension",
+    ),
+    BEAM.row(
+        Quantity::Declination,
+        "declination",
+        1,
+        "rad",
+        "angle between the tangent, towards the end of the beam, and the upward vertical z, 0 to pi",
+    ),
+    POINT.row(Quantity::Submergence, "submergence", 1, "m", "depth below the surface of the water, negative above it"),
+    POINT.row(
+        Quantity::FluidVelocity,
+        "fluid_velocity",
+        3,
+        "m/s",
+        "velocity of the water in global axes, 0 above its surface",
+    ),
+    BEAM.row(Quantity::Drag, "drag", 3, "N/m", "drag of the water per undeformed length, in global axes"),
+    POINT.row(
+        Quantity::Elevation,
+        "elevation",
+        1,
+        "m",
+        "height z of the surface of the water, at the x and y of the point",
     ),
     HOLD.row(
         Quantity::ReactionForce,
@@ -304,12 +346,18 @@ impl Quantity {
     /// Whether it is what a section bears, or its strains, which follow from what it bears.
     pub fn is_of_section(self) -> bool {
         use Quantity::*;
-        matches!(self, SectionForce | SectionMoment | Stress | AxialStrain | Curvature | Torsion)
+        matches!(self, SectionForce | SectionMoment | EffectiveTension | Stress | AxialStrain | Curvature | Torsion)
     }
 
     /// Whether it differs between the sides of a section at which something acts; the largest stress is that of both.
     pub fn has_sides(self) -> bool {
         self.is_of_section() && self != Self::Stress
+    }
+
+    /// Whether it is of the water.
+    pub fn is_of_water(self) -> bool {
+        use Quantity::*;
+        matches!(self, Submergence | FluidVelocity | Drag | Elevation)
     }
 
     /// Whether it is given along axes that can be chosen: it depends on who looks.
@@ -329,7 +377,17 @@ impl Quantity {
         let is_strain = matches!(self, AxialStrain | Curvature | Torsion | Stress);
         let is_force = matches!(
             self,
-            SectionForce | SectionMoment | Effort | Power | Force | NormalForce | FrictionForce | Penetration | Sliding
+            SectionForce
+                | SectionMoment
+                | EffectiveTension
+                | Drag
+                | Effort
+                | Power
+                | Force
+                | NormalForce
+                | FrictionForce
+                | Penetration
+                | Sliding
         ) || self.is_transmitted();
         is_strain || is_force || self.is_acceleration()
     }
@@ -339,7 +397,8 @@ impl Quantity {
     pub fn is_configuration(self) -> bool {
         use Quantity::*;
         let is_place =
-            matches!(self, Position | Displacement | Rotation | Quaternion | Tilt | Twist | Angle | Distance);
+            matches!(self, Position | Displacement | Rotation | Quaternion | Tilt | Twist | Angle | Distance)
+                || matches!(self, Declination | Submergence | Elevation);
         is_place || matches!(self, Energy | KineticEnergy | ElasticEnergy | GravityEnergy)
     }
 

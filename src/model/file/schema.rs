@@ -87,6 +87,11 @@ impl Rule {
         self
     }
 
+    pub(super) const fn in_water(mut self) -> Self {
+        self.variable = Variable::Height;
+        self
+    }
+
     pub(super) const fn along_in_time(mut self) -> Self {
         self.variable = Variable::AlongInTime;
         self

@@ -9,6 +9,7 @@ use crate::model::file::entries::damping::Damping;
 use crate::model::file::entries::material::Lateral;
 use crate::model::file::entries::section::{Flanged, Rigidities, SectionSpec, Shape, Walls};
 use crate::model::file::number::Number;
+use std::f64::consts::PI;
 
 /// The material of a beam; where its section has rigidities, one whose moduli are 1. None: a mistake, which is
 /// reported.
@@ -103,6 +104,10 @@ pub fn integrals(written: &SectionSpec, value: impl Fn(Number) -> f64) -> Sectio
     };
     let second_moment_y = given(written.second_moment_y, shape.second_moment_y);
     let second_moment_z = given(written.second_moment_z, shape.second_moment_z);
+    let contents = match (written.shape, written.immersion.contents_density) {
+        (Shape::Tube { inner, .. }, Some(density)) => value(density) * PI * value(inner).powi(2),
+        _ => 0.0,
+    };
     let section = Section {
         area: given(written.area, shape.area),
         second_moment_y,
@@ -111,12 +116,22 @@ pub fn integrals(written: &SectionSpec, value: impl Fn(Number) -> f64) -> Sectio
         polar_moment: given(written.polar_moment, second_moment_y + second_moment_z),
         product_moment: given(written.product_moment, shape.product_moment),
         twist: given(written.turn, 0.0),
+        contents,
         ..shape
     };
     match (written.fourth_moments, written.shape) {
         (Some(numbers), _) => Section { fourth_moments: numbers.map(value), ..section },
         (None, Shape::General) => like_a_rectangle(section),
         (None, _) => section,
+    }
+}
+
+/// The diameter that water sees, m; none: the shape is not round, and the file does not give one.
+pub fn outer_diameter(written: &SectionSpec, value: impl Fn(Number) -> f64) -> Option<f64> {
+    match (written.immersion.outer_diameter, written.shape) {
+        (Some(diameter), _) => Some(value(diameter)),
+        (None, Shape::Circle { radius } | Shape::Tube { outer: radius, .. }) => Some(2.0 * value(radius)),
+        (None, _) => None,
     }
 }
 

@@ -10,6 +10,7 @@ pub mod notes;
 mod paths;
 mod sections;
 mod twist;
+mod water;
 mod winches;
 
 use super::file::Folder;
@@ -120,6 +121,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
     }
     document.winches.iter().for_each(|winch| checker.check_winch(winch));
     document.contacts.iter().for_each(|contact| checker.check_contact(contact));
+    checker.check_water();
     document.gears.iter().for_each(|gear| checker.check_ratio(gear));
     document.stops.iter().for_each(|stop| checker.check_limits(stop));
     for actuator in &document.actuators {

@@ -89,7 +89,7 @@ impl Givens {
             _ if !self.as_drawn => Found::All,
             (quantity, _) if quantity.is_acceleration() || quantity.is_of_section() => Found::All,
             (ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort | Power, _) => Found::All,
-            (Velocity | AngularVelocity | AngleRate | DistanceRate | Force | KineticEnergy, _) => Found::Motion,
+            (Drag | Velocity | AngularVelocity | AngleRate | DistanceRate | Force | KineticEnergy, _) => Found::Motion,
             (Angle | Distance | Energy, _) => Found::Frames,
             _ => Found::Drawing,
         }

@@ -19,8 +19,8 @@ pub enum Measure {
     Whole(Part, Quantity),
     /// Kinetic, elastic, gravity and total energy.
     Energy,
-    /// Work of loads, actuators and drives, and energy that dampers and the integrator take.
-    Account,
+    /// Work of loads, actuators and drives, and energy that dampers and the integrator take; `true`: of water, too.
+    Account(bool),
     /// Linear and angular momentum.
     Momentum,
     /// Parameter of a path of equilibria, and motions that release energy.
@@ -41,9 +41,15 @@ pub(super) const ACCOUNT: [(&str, &str); 5] = [
     ("work.drift", "Energy that the integrator has added since the start; it has taken what is negative"),
 ];
 
+/// The result that a mechanism in water has besides.
+pub(super) const OF_WATER: (&str, &str) = (
+    "work.water",
+    "Work of water since the start: of its buoyancy, its drag and its inertia, that of the added mass included",
+);
+
 /// Whether a result of this name is one of the account of energy.
 pub fn is_of_account(name: &str) -> bool {
-    ACCOUNT.iter().any(|(own, _)| *own == name)
+    ACCOUNT.iter().chain([&OF_WATER]).any(|(own, _)| *own == name)
 }
 
 impl Measure {
@@ -55,7 +61,7 @@ impl Measure {
                 quantity.row().components
             }
             Self::Energy => 4,
-            Self::Account => ACCOUNT.len(),
+            Self::Account(in_water) => ACCOUNT.len() + usize::from(*in_water),
             Self::Momentum => 6,
             Self::Path => 2,
             Self::Statistics => 3,

@@ -55,8 +55,13 @@ pub(super) fn push_point(
         Quantity::AngularVelocity => push(sensor.seen_motion(c, &state.velocity).1),
         Quantity::Tilt => values.push(sensor.tilt(rotation)),
         Quantity::Twist => values.push(sensor.twist(system, c)),
+        Quantity::Declination => values.push(sensor.marker.pose(c).axis(0).z.clamp(-1.0, 1.0).acos()),
+        Quantity::Submergence | Quantity::FluidVelocity | Quantity::Drag | Quantity::Elevation => {
+            push_of_water(values, moment, c, number, quantity);
+        }
         Quantity::SectionForce
         | Quantity::SectionMoment
+        | Quantity::EffectiveTension
         | Quantity::Stress
         | Quantity::AxialStrain
         | Quantity::Curvature
@@ -87,6 +92,27 @@ pub(super) fn push_point(
     }
 }
 
+/// Appends a quantity of the water at a point.
+fn push_of_water(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number: usize, quantity: Quantity) {
+    let Moment { system, state, .. } = *moment;
+    let (sensor, time) = (&system.sensors[number], state.instant());
+    let medium = &system.water.as_ref().expect("the file is refused: without water it has no such quantity").medium;
+    let position = sensor.marker.pose(c).place;
+    let depth = medium.height(&position, time) - position.z;
+    match quantity {
+        Quantity::Submergence => values.push(depth),
+        Quantity::Elevation => values.push(medium.height(&position, time) + system.origin.z),
+        Quantity::FluidVelocity => {
+            let flow = if depth >= 0.0 { medium.flow(&position, time).velocity } else { Vec3::zeros() };
+            values.extend(flow.iter());
+        }
+        _ => {
+            let drag = sensor.in_element().and_then(|place| system.drag_at(place, c, &state.velocity, time));
+            values.extend(drag.unwrap_or_else(Vec3::zeros).iter());
+        }
+    }
+}
+
 /// Appends what the section at a point of a beam bears, or its strains.
 fn push_section(values: &mut Vec<f64>, moment: &Moment, loads: &JointLoads, number: usize, quantity: Quantity) {
     let Moment { system, response, fibers, .. } = *moment;
@@ -103,6 +129,7 @@ fn push_section(values: &mut Vec<f64>, moment: &Moment, loads: &JointLoads, numb
     let section = sensor.section(&loads).expect("the file is refused: only points of beams have sections");
     match quantity {
         Quantity::SectionForce => values.extend(section.wrench.force),
+        Quantity::EffectiveTension => values.push(section.wrench.force[0]),
         Quantity::SectionMoment => values.extend(section.wrench.moment),
         Quantity::AxialStrain => values.push(section.strains().axial),
         Quantity::Curvature => values.extend(section.strains().curvature),
@@ -197,9 +224,10 @@ pub(super) fn push_total(values: &mut Vec<f64>, measure: &Measure, moment: &Mome
             values.extend(parts);
             values.push(parts.iter().sum());
         }
-        Measure::Account => {
+        Measure::Account(in_water) => {
             let EnergyAccount { work, drift, .. } = state.balance.account.unwrap_or_default();
             values.extend([work.loads, work.actuators, work.drives, work.dissipated, drift]);
+            values.extend(in_water.then_some(work.water));
         }
         Measure::Momentum => {
             let (linear, angular) = system.momentum(&state.q, &state.momentum);

@@ -3,7 +3,7 @@
 
 use super::dependencies::{self, Found, Givens};
 use super::inputs::Inputs;
-use super::measure::{ACCOUNT, Measure};
+use super::measure::{ACCOUNT, Measure, OF_WATER};
 use super::nominal::Scales;
 use super::reading::{Moment, of_connection, of_part, push_contact, push_joint, push_point, push_total, push_wrench};
 use crate::fmi::Value;
@@ -109,8 +109,11 @@ impl Table {
         }
         table.measures.push(Measure::Energy);
         if has(Total::Work) {
-            ACCOUNT.iter().for_each(|(name, meaning)| table.push_result(name, 1, "J", meaning));
-            table.measures.push(Measure::Account);
+            let in_water = document.water.is_some();
+            let of_water = in_water.then_some(&OF_WATER);
+            let rows = ACCOUNT.iter().chain(of_water);
+            rows.for_each(|(name, meaning)| table.push_result(name, 1, "J", meaning));
+            table.measures.push(Measure::Account(in_water));
         }
         let (shown, about_origin) = (has(Total::Momentum), "Angular momentum about the origin, in global axes");
         table.push_total(shown, "momentum.linear", 3, "kg.m/s", "Linear momentum in global axes");
@@ -218,7 +221,7 @@ impl Table {
                     || quantity.is_acceleration()
                     || matches!(quantity, Quantity::Effort | Quantity::Power)
             }
-            Measure::Whole(..) | Measure::Energy | Measure::Account => false,
+            Measure::Whole(..) | Measure::Energy | Measure::Account(_) => false,
             Measure::Momentum | Measure::Path | Measure::Statistics => false,
         })
     }
@@ -234,7 +237,7 @@ impl Table {
             Measure::Frame(..) | Measure::Connection(Kind::Gear, ..) => false,
             Measure::Connection(.., quantity) => quantity.is_coordinate(),
             Measure::Whole(..) | Measure::Energy => true,
-            Measure::Account | Measure::Momentum | Measure::Path | Measure::Statistics => false,
+            Measure::Account(_) | Measure::Momentum | Measure::Path | Measure::Statistics => false,
         })
     }
 
@@ -245,7 +248,7 @@ impl Table {
             | Measure::Frame(_, quantity)
             | Measure::Connection(.., quantity)
             | Measure::Whole(_, quantity) => Some(*quantity),
-            Measure::Energy | Measure::Account | Measure::Momentum | Measure::Path | Measure::Statistics => None,
+            Measure::Energy | Measure::Account(_) | Measure::Momentum | Measure::Path | Measure::Statistics => None,
         }
     }
 
@@ -291,7 +294,7 @@ impl Table {
             let numbers = end..end + measure.results();
             end = numbers.end;
             let is_always_there = matches!(measure, Measure::Energy | Measure::Momentum | Measure::Statistics);
-            let is_of_output = !is_always_there && !matches!(measure, Measure::Account | Measure::Path);
+            let is_of_output = !is_always_there && !matches!(measure, Measure::Account(_) | Measure::Path);
             is_of_output.then(|| (self.variables[first + numbers.start].quantity.unit.as_str(), numbers))
         })
     }

@@ -271,7 +271,7 @@ pub fn set_motion(system: &System, integrator: &mut impl Dynamics, state: &mut S
     }
     let given = state.velocity.clone();
     system.set_momentum(state);
-    Projection::once(system).set_velocity(system, integrator.kkt(), &mut FrameCache::default(), state)?;
+    Projection::of_impact(system).set_velocity(system, integrator.kkt(), &mut FrameCache::default(), state)?;
     integrator.kkt().check_unique(system, state.time)?;
     system.set_momentum(state);
     state.constraint_momenta.fill(0.0);

@@ -114,7 +114,7 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     let wanted = count.min(freedoms);
     let mut cache = FrameCache::default();
     cache.set(system, &rest.q, &rest.triads);
-    let mass = MassAt::new(&rest.prescribed.drives, &cache);
+    let mass = MassAt::new(&rest.prescribed.drives, &cache).wet(&rest.q, time);
     let mut block = Subspace::new(system, mass, wanted + GUARDS.max(wanted).min(freedoms - wanted));
     let [stiff, forced] = scales(system, mass, &symmetric, &response);
     let largest = stiff + forced;

@@ -176,6 +176,9 @@ impl<I: Linearized, N: Inputs> Pass<'_, I, N> {
         flow.solve_again(sum).map_err(inaccurate(*span))?;
         let (velocity, own_now) = sum.split_at(coordinates);
         variation.lists.velocity.copy_from_slice(velocity);
+        for (lead, velocity) in variation.lists.velocity_lead.iter_mut().zip(velocity) {
+            *lead -= 0.5 * velocity;
+        }
         for (own, own_now) in variation.lists.constraint_momenta.iter_mut().zip(own_now) {
             *own = 0.5 * (*own + own_now);
         }

@@ -155,7 +155,7 @@ pub fn softest(system: &System, kkt: &mut Kkt, state: &State) -> Option<Softest>
     let stiffness = kkt.blocks.symmetric_part();
     let mut cache = FrameCache::default();
     cache.set(system, &state.q, &state.triads);
-    let mass = MassAt::new(&state.prescribed.drives, &cache);
+    let mass = MassAt::new(&state.prescribed.drives, &cache).wet(&state.q, state.time);
     let shift = modes::first_shift(system, mass, &stiffness);
     modes::positive_shift(system, mass, kkt, &stiffness, shift, state.time).ok()?;
     let constraints = system.constraints() - system.released_constraints(&state.prescribed);

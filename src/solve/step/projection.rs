@@ -7,6 +7,7 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::mass::MassAt;
+use crate::mechanics::system::water::WaterAt;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 
@@ -27,6 +28,8 @@ pub struct Projection {
     following: Option<Following>,
     right: Vec<f64>,
     gradients: Vec<JointGradient>,
+    /// Whether the mass of water that moves with beams counts: the velocities change at once, not over a step.
+    is_wet: bool,
     /// The frames that joints and the mass matrix depend on.
     needed_frames: Vec<usize>,
 }
@@ -102,10 +105,16 @@ impl Projection {
             fast: None,
             was_fast: false,
             following: None,
+            is_wet: false,
             right: vec![0.0; size],
             gradients: Vec::new(),
             needed_frames,
         }
+    }
+
+    /// For a change of velocities at once, from those of the state: the water around beams takes part in it.
+    pub fn of_impact(system: &System) -> Self {
+        Self { is_wet: system.is_in_water(), ..Self::once(system) }
     }
 
     /// For many states of `system`; the matrix of `kkt` is scratch memory.
@@ -132,6 +141,12 @@ impl Projection {
         }
     }
 
+    /// Whether the water around beams takes part in the next change of velocities, which are then those that the state
+    /// has before it.
+    pub fn wet(&mut self, is_wet: bool) {
+        self.is_wet = is_wet;
+    }
+
     /// Of the last call: the momentum beside that of the velocities, `Gᵀ ν` with the gradients and `ν`.
     pub fn constraint_momenta(&self, system: &System) -> (&[JointGradient], &[f64]) {
         (&self.gradients, &self.right[system.coordinates()..])
@@ -153,6 +168,9 @@ impl Projection {
         system.constraint_gradients(&configuration, &mut self.gradients);
         let (momentum, rates) = self.right.split_at_mut(state.q.len());
         momentum.copy_from_slice(&state.momentum);
+        if self.is_wet {
+            system.add_added_mass_times(WaterAt { q: &state.q, time: state.time }, &state.velocity, momentum);
+        }
         system.constraint_rates(&configuration, rates);
         rates.iter_mut().for_each(|rate| *rate = -*rate);
         if rates.iter().any(|rate| !rate.is_finite()) {
@@ -161,6 +179,7 @@ impl Projection {
         let Self { fast, following, right, gradients, .. } = self;
         let velocity = &mut state.lists.velocity;
         let solved = match (fast, following) {
+            _ if self.is_wet => false,
             (Some(fast), None) => fast.solve(system, gradients, right, velocity).is_ok(),
             (Some(fast), Some(following)) => {
                 let mass = MassAt::new(&state.prescribed.drives, frames);
@@ -171,7 +190,8 @@ impl Projection {
         self.was_fast = solved;
         let Self { right, gradients, .. } = self;
         if !solved {
-            let mass = MassAt::new(&state.prescribed.drives, frames);
+            let dry = MassAt::new(&state.prescribed.drives, frames);
+            let mass = if self.is_wet { dry.wet(&state.q, state.time) } else { dry };
             kkt.blocks.clear();
             system.add_mass(mass, 1.0, &mut kkt.blocks);
             kkt.set_constraints(system, gradients, gradients, 1.0);

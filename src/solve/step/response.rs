@@ -72,7 +72,8 @@ impl Responder {
         self.set_right(system, state)?;
         let kkt = self.kkt.get_or_insert_with(|| Kkt::for_projections(system));
         kkt.blocks.clear();
-        system.add_mass(MassAt::new(&state.prescribed.drives, &self.frames), 1.0, &mut kkt.blocks);
+        let mass = MassAt::new(&state.prescribed.drives, &self.frames).wet(&state.q, state.time);
+        system.add_mass(mass, 1.0, &mut kkt.blocks);
         kkt.set_constraints(system, &self.gradients, &self.gradients, 1.0);
         kkt.solve(system, &mut self.right, state.time)?;
         let (acceleration, multipliers) = self.right.split_at(state.q.len());
@@ -96,7 +97,7 @@ impl Responder {
     ) -> Result<(), Error> {
         self.set_right(system, state)?;
         let (forces, conditions) = right.split_at_mut(state.q.len());
-        let mass = MassAt::new(&state.prescribed.drives, &self.frames);
+        let mass = MassAt::new(&state.prescribed.drives, &self.frames).wet(&state.q, state.time);
         system.mass_times(mass, &response.acceleration, forces);
         system.add_constraint_forces(&self.gradients, &response.multipliers, 1.0, forces);
         conditions.fill(0.0);

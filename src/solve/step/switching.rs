@@ -14,6 +14,7 @@ use crate::mechanics::state::{State, rate_leads, viscous_rates};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::mass::MassAt;
+use crate::mechanics::system::water::WaterAt;
 use crate::solve::newton::kkt::Kkt;
 
 /// How far the neighboring state of an impact is moved, as [`System::motion_size`] measures: so little that it is
@@ -38,8 +39,9 @@ pub fn switch(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> R
     system.set_momentum(state);
     state.constraint_momenta.fill(0.0);
     if system.switch(state, time) {
-        collide(system, kkt, state)?;
+        collide(system, kkt, state, time)?;
     }
+    state.velocity_lead.clear();
     state.balance.skip_jump();
     viscous_rates::jump(state);
     rate_leads::clear(&mut state.lists);
@@ -70,10 +72,10 @@ fn neighbor(system: &System, state: &State) -> Option<(State, f64)> {
 }
 
 /// Brings the velocities of `state` to what the constraints allow, and its energies.
-fn collide(system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Error> {
+fn collide(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> Result<(), Error> {
     let before = state.velocity.clone();
     let kinetic_before = system.kinetic_energy(&FrameCache::default().of(system, state), &before);
-    let (mut projection, mut frames) = (Projection::once(system), FrameCache::default());
+    let (mut projection, mut frames) = (Projection::of_impact(system), FrameCache::default());
     let neighbor = neighbor(system, state);
     projection.set_velocity(system, kkt, &mut frames, state)?;
     kkt.check_unique(system, state.time)?;
@@ -89,13 +91,18 @@ fn collide(system: &System, kkt: &mut Kkt, state: &mut State) -> Result<(), Erro
     system.set_momentum(state);
     let change: Vec<f64> = state.velocity.iter().zip(&before).map(|(after, before)| after - before).collect();
     let configuration = frames.of(system, state);
-    let dissipated = system.kinetic_energy_of_mesh(MassAt::from(&configuration), &change);
+    let mut of_water = vec![0.0; change.len()];
+    let at = WaterAt { q: &state.q, time };
+    let dissipated = system.kinetic_energy_of_mesh(MassAt::from(&configuration), &change)
+        + 0.5 * system.add_added_mass_times(at, &change, &mut of_water);
+    let means = state.velocity.iter().zip(&before).map(|(after, before)| 0.5 * (after + before));
+    let water: f64 = 0.0 - means.zip(&of_water).map(|(mean, own)| mean * own).sum::<f64>();
     let gained = system.kinetic_energy(&configuration, &state.velocity) - kinetic_before;
     if let Some(last) = &mut state.balance.last {
         last.kinetic += gained;
     }
     if let Some(account) = &mut state.balance.account {
-        account.work.add(&Work { drives: gained + dissipated, dissipated, ..Work::default() }, 1.0);
+        account.work.add(&Work { drives: gained + dissipated - water, dissipated, water, ..Work::default() }, 1.0);
         account.energy = account.energy.map(|energy| energy + gained);
     }
     Ok(())

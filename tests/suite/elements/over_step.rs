@@ -82,6 +82,7 @@ impl Case {
             dissipation,
             strain_rates: &still,
             predicted_rates: &still,
+            velocity_lead: &[],
             starts: &[begin],
         };
         let (mut force, mut tangent) = (Coordinates::zeros(), Matrix::zeros());

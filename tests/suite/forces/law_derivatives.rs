@@ -131,6 +131,7 @@ fn check(random: &mut Random, law: &Law, kind: Measure, sides: [usize; 2]) {
             dissipation: Dissipation::new(0.8),
             strain_rates: &rates,
             predicted_rates: &rates,
+            velocity_lead: &[],
             starts: &[],
         }));
     };

@@ -132,6 +132,7 @@ fn check_spring_derivatives() {
                 dissipation: Dissipation::default(),
                 strain_rates: &rates,
                 predicted_rates: &rates,
+                velocity_lead: &[],
                 starts: &[],
             });
             let reading_end =

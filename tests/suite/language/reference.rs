@@ -53,6 +53,7 @@ fn variables(rule: &Rule) -> String {
         Variable::Control => "t, coordinates of joints",
         Variable::Elongation => "x, v",
         Variable::Followed => "x",
+        Variable::Height => "z, t",
     };
     String::from(words)
 }

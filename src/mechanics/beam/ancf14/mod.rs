@@ -13,6 +13,7 @@ pub mod coordinates;
 pub mod damping;
 pub mod element;
 pub mod energy;
+pub mod fluid_load;
 pub mod frame;
 pub mod inertia;
 pub mod kinematics;

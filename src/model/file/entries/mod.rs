@@ -13,6 +13,7 @@ pub mod frame;
 pub mod friction;
 pub mod function;
 pub mod gear;
+pub mod immersion;
 pub mod joint;
 pub mod load;
 pub mod lock;
@@ -29,6 +30,7 @@ pub mod spring;
 pub mod stop;
 pub mod surface;
 pub mod switch;
+pub mod water;
 pub mod winch;
 
 use super::number::{Number, Numbers};
@@ -77,6 +79,7 @@ macro_rules! parts {
         pub const SECTIONS: &[(&str, &[Key])] = &[
             ("model", overview::KEYS),
             ("function", function::KEYS),
+            ("water", water::KEYS),
             $((stringify!($module), $module::KEYS),)*
             ("simulation", simulation::KEYS),
         ];

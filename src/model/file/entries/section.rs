@@ -3,6 +3,7 @@
 
 use super::Parts;
 use super::damping::{DAMPING_FREQUENCIES, DAMPING_RATIOS, Damping, MASS_DAMPING, MATERIAL_DAMPING};
+use super::immersion::{ADDED_MASS, CONTENTS_DENSITY, DRAG, DRAG_AREA_WORDS, Immersion, OUTER_DIAMETER};
 use super::material::EXPANSION;
 use crate::model::expression::function::Function;
 use crate::model::file::number::{Number, Numbers};
@@ -44,6 +45,11 @@ pub(super) const KEYS: &[Key] = &[
     Key::number(&[&MASS_DAMPING]),
     Key::list(&[&DAMPING_RATIOS], "2"),
     Key::list(&[&DAMPING_FREQUENCIES], "2"),
+    Key::number(&[&OUTER_DIAMETER]),
+    Key::list(&[&DRAG], "2"),
+    Key::word("drag_area", &DRAG_AREA_WORDS, "the area per length that the drag along the beam counts with"),
+    Key::list(&[&ADDED_MASS], "2"),
+    Key::number(&[&CONTENTS_DENSITY]),
 ];
 
 const WIDTH: Rule = Rule::new("width", "width of the section along its y", "m").above(0.0).along_beam();
@@ -109,6 +115,8 @@ pub struct SectionSpec {
     pub fourth_moments: Option<[Number; 3]>,
     /// Turn about the tangent, rad.
     pub turn: Option<Number>,
+    /// How water acts on it.
+    pub immersion: Immersion,
 }
 
 /// An outline.
@@ -270,6 +278,7 @@ impl SectionSpec {
             ),
         };
         let turn = reader.optional(&SECTION_TURN);
+        let immersion = Immersion::read(&mut reader, matches!(word, Word::Tube));
         reader.finish();
         let name = name.to_owned();
         Some(Self {
@@ -284,6 +293,7 @@ impl SectionSpec {
             polar_moment,
             fourth_moments,
             turn,
+            immersion,
         })
     }
 
@@ -325,6 +335,7 @@ impl SectionSpec {
         all.extend(self.area.into_iter().chain(self.second_moment_y).chain(self.second_moment_z));
         all.extend(self.torsion_constant.into_iter().chain(self.product_moment).chain(self.polar_moment));
         all.extend(self.fourth_moments.into_iter().flatten().chain(self.turn));
+        all.extend(self.immersion.numbers());
         all
     }
 

@@ -117,6 +117,7 @@ impl Dynamics for Midpoint {
     fn begin(&mut self, _system: &System, state: &mut State) -> Result<(), Error> {
         state.strain_rates.fill(0.0);
         rate_leads::clear(&mut state.lists);
+        state.velocity_lead.clear();
         viscous_rates::clear(state);
         state.prediction = Prediction::default();
         state.time_error = TimeError::default();
@@ -157,10 +158,21 @@ impl Integrator for Midpoint {
         self.carry_error(system, state, dissipation, span, &mut next);
         // Those of the middle are no longer needed.
         self.projection.expect(&self.scratch.increment, step, &state.velocity, &mut next.lists.velocity);
+        let is_wet = system.is_in_water() && system.is_struck(end, step);
+        self.projection.wet(is_wet);
+        if is_wet {
+            self.scratch.expect(&state.velocity, step, &mut next.lists.velocity);
+        }
         let frames = &mut self.scratch.frames_middle;
         let outcome = self.projection.set_velocity(system, &mut self.kkt, frames, &mut next);
         if outcome.is_ok() {
-            let kinetic = self.steady(system, &mut next);
+            let kinetic = match is_wet {
+                true => self.scratch.strike(system, &mut next),
+                false => self.steady(system, &mut next),
+            };
+            if !is_wet {
+                self.scratch.lead(system, state, step, &mut next);
+            }
             let transport = self.scratch.transport_energies(system, state, &next);
             next.time_error = std::mem::take(&mut state.time_error);
             next.prediction = std::mem::take(&mut state.prediction);
@@ -432,5 +444,8 @@ impl Linearized for Midpoint {
             next.balance.account.iter_mut().for_each(|account| account.work.add(&work, 1.0));
         }
         self.scratch.continue_rates(state, span.step, next);
+        // The velocity at the end, which is not known yet, takes its half off.
+        next.lists.velocity.fill(0.0);
+        self.scratch.lead(system, state, span.step, next);
     }
 }

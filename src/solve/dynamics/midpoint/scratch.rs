@@ -172,6 +172,38 @@ impl Scratch {
         }
     }
 
+    /// Sets the velocities at the end of a step of `step` s that begins with the velocities `before` and that nothing
+    /// strikes.
+    pub fn expect(&self, before: &[f64], step: f64, velocity: &mut [f64]) {
+        for ((velocity, increment), before) in velocity.iter_mut().zip(&self.increment).zip(before) {
+            *velocity = 2.0 * increment / step - before;
+        }
+    }
+
+    /// Sets the momentum of `next`, whose velocities have changed at once, to that of these; returns the kinetic
+    /// energy, J.
+    pub fn strike(&self, system: &System, next: &mut State) -> f64 {
+        system.set_momentum(next);
+        next.constraint_momenta.fill(0.0);
+        next.velocity_lead.clear();
+        0.5 * next.velocity.iter().zip(&next.momentum).map(|(v, p)| v * p).sum::<f64>()
+    }
+
+    /// Sets by how much the velocities of `next`, that the accelerations of added mass in the next step are counted
+    /// from, exceed the projected ones: the mean velocity over the step of `step` s from `state` less that of its ends.
+    /// Added mass then sees the motion as the mass of the beams does, whose momentum has that part (MECHANICS 14).
+    pub fn lead(&self, system: &System, state: &State, step: f64, next: &mut State) {
+        if system.water.is_none() {
+            return;
+        }
+        let Lists { velocity, velocity_lead, .. } = &mut next.lists;
+        velocity_lead.resize(velocity.len(), 0.0);
+        let ends = state.velocity.iter().zip(&*velocity);
+        for (lead, (increment, (before, after))) in velocity_lead.iter_mut().zip(self.increment.iter().zip(ends)) {
+            *lead = increment / step - 0.5 * (before + after);
+        }
+    }
+
     /// The energies of `state`, J.
     pub fn energies(&self, system: &System, state: &State) -> Energies {
         let start = system.configuration(&state.q, &self.frames_start, state, &state.prescribed);
@@ -197,7 +229,7 @@ impl Scratch {
         let [loads, actuators] =
             system.loads_and_actuators(&middle, &Passage::Step(over), &self.excitation, &self.increment);
         let drives = driven + found.by_frames + found.by_winches;
-        Work { loads: loads + found.by_heat, actuators, drives, dissipated: found.dissipated }
+        Work { loads: loads + found.by_heat, actuators, drives, dissipated: found.dissipated, water: found.by_water }
     }
 
     /// Kinetic, elastic and gravity energy at the start of the step from `state`, J.
@@ -331,7 +363,18 @@ pub fn time_step<'a>(
     duration: f64,
     dissipation: Dissipation,
 ) -> TimeStep<'a> {
-    let Start { velocity, strain_rates, .. } = from;
-    let starts = starts.list();
-    TimeStep { start, end, increment, duration, velocity, dissipation, strain_rates, predicted_rates, starts }
+    let Start { velocity, strain_rates, state, .. } = from;
+    let (starts, velocity_lead) = (starts.list(), &state.lists.velocity_lead[..]);
+    TimeStep {
+        start,
+        end,
+        increment,
+        duration,
+        velocity,
+        dissipation,
+        strain_rates,
+        predicted_rates,
+        starts,
+        velocity_lead,
+    }
 }

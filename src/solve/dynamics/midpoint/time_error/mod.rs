@@ -18,6 +18,7 @@ use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
 use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::middle_forces::Middle;
+use crate::mechanics::system::water::WaterAt;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::projection::Projection;
@@ -161,7 +162,8 @@ impl Estimator {
         let scale = TRAPEZOIDAL * h * h * h;
         self.filtered.iter_mut().zip(&self.jerk).for_each(|(own, jerk)| *own = scale * jerk);
         let solution = taken.solution;
-        let mass = MassAt::new(&solution.prescribed_middle.drives, &solution.frames_middle);
+        let mass = MassAt::new(&solution.prescribed_middle.drives, &solution.frames_middle)
+            .wet(&solution.q_middle, taken.state.time + 0.5 * h);
         system.mass_times(mass, &self.filtered[..coordinates], &mut right[..coordinates]);
         right[coordinates..].fill(0.0);
         match kkt.solve_roughly(right) {
@@ -203,7 +205,7 @@ impl Estimator {
     ) -> Result<Found, Singular> {
         let (h, error) = (taken.span.step, &taken.state.time_error);
         if taken.state.statistics.steps.is_multiple_of(CLEARING) {
-            self.clear(system, kkt, taken.solution, velocity, right)?;
+            self.clear(system, kkt, (taken.solution, taken.state.time + 0.5 * h), velocity, right)?;
         }
         let mean = 0.5 * (h + error.step);
         self.find_source(system, taken, error, mean);
@@ -276,8 +278,18 @@ impl Estimator {
         let moved = right.iter_mut().zip(velocity).zip(&self.filtered);
         moved.for_each(|((moved, velocity), source)| *moved = h * velocity + source);
         let coordinates = velocity.len();
-        let mass = MassAt::new(&state.prescribed.drives, &self.scratch.frames_middle);
+        let Scratch { q_middle, frames_middle, forces: of_water, .. } = &mut self.scratch;
+        let mass = MassAt::new(&state.prescribed.drives, frames_middle);
+        if system.is_in_water() {
+            // Its momentum is none of the state: it enters by the source alone.
+            of_water.fill(0.0);
+            let at = WaterAt { q: q_middle, time: state.time + 0.5 * h };
+            system.add_added_mass_times(at, &self.filtered[..coordinates], of_water);
+        }
         system.mass_times(mass, &right[..coordinates], &mut self.filtered[..coordinates]);
+        if system.is_in_water() {
+            self.filtered.iter_mut().zip(&*of_water).for_each(|(sum, own)| *sum += own);
+        }
         // Strains at the middle are taken as the means of the ends, and the dissipation is none of the exact motion:
         // both show in the changes of the strain rates.
         if error.known > 0 {
@@ -403,7 +415,7 @@ impl Estimator {
         &mut self,
         system: &System,
         kkt: &mut Kkt,
-        solution: &Scratch,
+        (solution, time): (&Scratch, f64),
         velocity: &mut [f64],
         right: &mut [f64],
     ) -> Result<(), Singular> {
@@ -411,7 +423,7 @@ impl Estimator {
         let coordinates = velocity.len();
         targets.fill(0.0);
         system.add_constraint_rates(&solution.gradients_end, velocity, targets);
-        let mass = MassAt::new(&solution.prescribed_middle.drives, &scratch.frames_middle);
+        let mass = MassAt::new(&solution.prescribed_middle.drives, &scratch.frames_middle).wet(&scratch.q_middle, time);
         system.mass_times(mass, velocity, &mut right[..coordinates]);
         right[coordinates..].copy_from_slice(targets);
         kkt.solve_roughly(right)?;

@@ -49,7 +49,7 @@ impl Estimator {
     pub(super) fn add_lags(&mut self, system: &System, taken: &Taken, mean: f64) {
         let Taken { state, dissipation, span: Span { step: h, .. }, solution, .. } = *taken;
         let (error, from) = (&state.time_error, Start::from(state));
-        let Self { lags: Lags { frames, middles, relative }, scratch, filtered, jerk, .. } = self;
+        let Self { lags: Lags { frames, middles, relative }, scratch, filtered, jerk, snap, .. } = self;
         let [start, middle, end] = configurations(
             system,
             from,
@@ -82,10 +82,30 @@ impl Estimator {
         let source = &mut filtered[..jerk.len()];
         system.add_lags_of_springs(&middle, &step, middles, factor, source);
         system.add_lagging_forces(&middle, Sight::Step(&step), &solution.excitation, factor, source);
+        let in_water = system.is_in_water();
+        if in_water {
+            // Not needed before the neighboring motion departs.
+            let (velocity, acceleration) = (&mut scratch.increment, &mut scratch.mass_increment);
+            let own = velocity.iter_mut().zip(&mut *acceleration);
+            for ((velocity, acceleration), (increment, before)) in
+                own.zip(solution.increment.iter().zip(&state.velocity))
+            {
+                *velocity = increment / h;
+                *acceleration = 2.0 * (*velocity - before) / h;
+            }
+            system.add_water_at((&scratch.q_middle, velocity, acceleration), &solution.excitation, factor, source);
+            for (velocity, (jerk, snap)) in velocity.iter_mut().zip(jerk.iter().zip(&*snap)) {
+                *velocity -= MIDPOINT * h * h * in_middle(*jerk, *snap, h);
+            }
+        }
         for (q, (increment, velocity)) in
             scratch.q_middle.iter_mut().zip(solution.increment.iter().zip(&state.velocity))
         {
             *q -= 2.0 * MEAN * h * (increment / h - velocity);
+        }
+        if in_water {
+            let moving = (&scratch.q_middle[..], &scratch.increment[..], &scratch.mass_increment[..]);
+            system.add_water_at(moving, &solution.excitation, -factor, source);
         }
         let (q, prescribed) = (&scratch.q_middle, &solution.prescribed_middle);
         let middle = scratch.frames_middle.at_frames(system, frames, q, state, prescribed);

@@ -1,0 +1,200 @@
+//! Water in the equations of a system (MECHANICS 14): its forces, and the mass that moves with beams.
+
+use super::System;
+use super::tangent_layout::TangentLayout;
+use crate::math::Vec3;
+use crate::math::blocks::Blocks;
+use crate::mechanics::beam::ancf14::element::Element;
+use crate::mechanics::beam::ancf14::fluid_load::{ByCoordinates, Moving, Surroundings};
+use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::water::{Water, Wetted};
+
+/// Where beams are in the water: what the added mass depends on.
+#[derive(Clone, Copy, Debug)]
+pub struct WaterAt<'a> {
+    /// All coordinates.
+    pub q: &'a [f64],
+    /// Time, s.
+    pub time: f64,
+}
+
+impl<'a> WaterAt<'a> {
+    fn surroundings(self, water: &'a Water, wetted: &'a Wetted) -> Surroundings<'a> {
+        let (medium, sections) = (&water.medium, &wetted.sections);
+        Surroundings { medium, sections, gravity: Vec3::zeros(), time: self.time, share: 1.0 }
+    }
+}
+
+fn surroundings<'a>(water: &'a Water, wetted: &'a Wetted, excitation: &Excitation) -> Surroundings<'a> {
+    let (medium, sections) = (&water.medium, &wetted.sections);
+    Surroundings { medium, sections, gravity: excitation.gravity, time: excitation.time, share: excitation.water }
+}
+
+impl System {
+    /// The elements in water, with what acts on them.
+    fn wetted(&self) -> impl Iterator<Item = (&Water, &Wetted, &Element)> {
+        let own = self.water.as_deref();
+        own.into_iter().flat_map(move |water| {
+            water.wetted.iter().filter_map(move |wetted| match &self.mesh.elements[wetted.element] {
+                AnyElement::Ancf14(element) => Some((water, wetted, element)),
+                AnyElement::PaidOut(_) | AnyElement::Ancf24(_) => None,
+            })
+        })
+    }
+
+    /// Adds `factor` times the forces of the water, internal minus external, as `passage` says.
+    pub fn add_water(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        excitation: &Excitation,
+        factor: f64,
+        forces: &mut [f64],
+    ) {
+        if self.water.is_none() {
+            return;
+        }
+        let of_beams = passage.of_beams();
+        for (water, wetted, element) in self.wetted() {
+            let moving = Moving::new(element, &c.beams, &of_beams);
+            element.add_water(&surroundings(water, wetted, excitation), &moving, -factor, forces);
+        }
+    }
+
+    /// Adds `factor` times the forces of the water, internal minus external, on beams with these coordinates,
+    /// velocities and accelerations.
+    pub fn add_water_at(
+        &self,
+        (q, velocity, acceleration): (&[f64], &[f64], &[f64]),
+        excitation: &Excitation,
+        factor: f64,
+        forces: &mut [f64],
+    ) {
+        for (water, wetted, element) in self.wetted() {
+            let moving = Moving::with(element, q, velocity, acceleration);
+            element.add_water(&surroundings(water, wetted, excitation), &moving, -factor, forces);
+        }
+    }
+
+    /// [`Self::add_water`] over a step, with the work of the water as the coordinates change by `increment`, J.
+    pub(super) fn add_water_with_work(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        excitation: &Excitation,
+        increment: &[f64],
+        forces: &mut [f64],
+    ) -> f64 {
+        let (of_beams, mut work) = (passage.of_beams(), 0.0);
+        let sum = |forces: &[f64], element: &Element| -> f64 {
+            element.own(forces).iter().zip(element.own(increment)).map(|(force, change)| force * change).sum()
+        };
+        for (water, wetted, element) in self.wetted() {
+            let moving = Moving::new(element, &c.beams, &of_beams);
+            let before = sum(forces, element);
+            element.add_water(&surroundings(water, wetted, excitation), &moving, -1.0, forces);
+            work -= sum(forces, element) - before;
+        }
+        work
+    }
+
+    /// [`Self::add_water`], and adds `scale` times its derivative with respect to the coordinates to the blocks of
+    /// elements in `tangent`; over a step twice that with respect to the coordinates at its end.
+    #[inline(never)]
+    pub(super) fn add_water_and_tangent(
+        &self,
+        c: &Configuration,
+        passage: &Passage,
+        excitation: &Excitation,
+        scale: f64,
+        forces: &mut [f64],
+        tangent: &mut Blocks,
+    ) {
+        if self.water.is_none() {
+            return;
+        }
+        let (layout, of_beams) = (TangentLayout::of(self), passage.of_beams());
+        let by = ByCoordinates::of(&of_beams);
+        for (water, wetted, element) in self.wetted() {
+            let moving = Moving::new(element, &c.beams, &of_beams);
+            let block = tangent.block_mut(layout.element(wetted.element));
+            let surroundings = surroundings(water, wetted, excitation);
+            element.add_water_and_tangent(&surroundings, (&moving, by), [-1.0, -scale], forces, block);
+        }
+    }
+
+    /// Adds `factor` times the derivative of the forces of the water with respect to the velocities to the blocks of
+    /// elements in `tangent`.
+    pub(super) fn add_water_damping(
+        &self,
+        c: &Configuration,
+        velocity: &[f64],
+        excitation: &Excitation,
+        factor: f64,
+        tangent: &mut Blocks,
+    ) {
+        let (layout, passage) = (TangentLayout::of(self), Passage::with_velocity(velocity).of_beams());
+        for (water, wetted, element) in self.wetted() {
+            let moving = Moving::new(element, &c.beams, &passage);
+            let block = tangent.block_mut(layout.element(wetted.element));
+            element.add_water_damping(&surroundings(water, wetted, excitation), &moving, -factor, block);
+        }
+    }
+
+    /// Adds `factor` times the added mass matrix to the blocks of elements in `tangent`.
+    pub(super) fn add_added_mass(&self, at: WaterAt, factor: f64, tangent: &mut Blocks) {
+        let layout = TangentLayout::of(self);
+        for (water, wetted, element) in self.wetted().filter(|(_, wetted, _)| wetted.sections.has_added_mass()) {
+            let (moving, block) = (Moving::at_rest(element, at.q), tangent.block_mut(layout.element(wetted.element)));
+            element.add_added_mass(&at.surroundings(water, wetted), &moving, factor, block);
+        }
+    }
+
+    /// Adds the product of the added mass matrix with `vector` to `product`; returns `vectorᵀ M_a vector`.
+    pub fn add_added_mass_times(&self, at: WaterAt, vector: &[f64], product: &mut [f64]) -> f64 {
+        let mut form = 0.0;
+        for (water, wetted, element) in self.wetted().filter(|(_, wetted, _)| wetted.sections.has_added_mass()) {
+            let moving = Moving::at_rest(element, at.q);
+            form += element.add_added_mass_times(&at.surroundings(water, wetted), &moving, vector, product);
+        }
+        form
+    }
+
+    /// Whether water acts on it.
+    pub fn is_in_water(&self) -> bool {
+        self.water.is_some()
+    }
+
+    /// Calls `with` with the element of this number in the water, as it moves with these velocities and accelerations;
+    /// none: it is not in water.
+    pub fn in_water<R>(
+        &self,
+        element: usize,
+        (q, velocity, acceleration): (&[f64], &[f64], &[f64]),
+        excitation: &Excitation,
+        with: impl FnOnce(&Element, &Surroundings, &Moving) -> R,
+    ) -> Option<R> {
+        let water = self.water.as_deref()?;
+        let wetted = water.of(element)?;
+        let AnyElement::Ancf14(own) = &self.mesh.elements[element] else { return None };
+        let moving = Moving::with(own, q, velocity, acceleration);
+        Some(with(own, &surroundings(water, wetted, excitation), &moving))
+    }
+}
+
+impl System {
+    /// Drag per length, N/m, on the section at this element and this place in it at `c`, with the velocities `velocity`
+    /// and at `time`, s; none: it is not in water.
+    pub fn drag_at(&self, (element, xi): (usize, f64), c: &Configuration, velocity: &[f64], time: f64) -> Option<Vec3> {
+        let moving = (c.beams.q, velocity, velocity);
+        let water = water_alone(self.gravity, time);
+        self.in_water(element, moving, &water, |own, water, moving| own.drag_at(water, moving, xi))
+    }
+}
+
+/// The water that acts at an instant, without loads.
+pub fn water_alone(gravity: Vec3, time: f64) -> Excitation {
+    Excitation { time, gravity, water: 1.0, ..Excitation::default() }
+}

@@ -1,0 +1,86 @@
+//! The water: its density, its surface and its motion.
+
+use crate::math::Vec3;
+use std::fmt;
+use std::sync::Arc;
+
+/// The water.
+#[derive(Clone, Debug)]
+pub struct Medium {
+    /// Density, kg/m³.
+    pub density: f64,
+    /// Height of still water, global, m.
+    pub surface: f64,
+    /// Depth of the water, m; none: without end.
+    pub depth: Option<f64>,
+    /// The flow without waves.
+    pub current: Current,
+    /// Time in which current and waves grow, s.
+    pub ramp: f64,
+    /// Where positions in the state begin, global, m.
+    pub origin: Vec3,
+}
+
+/// The motion of the water at a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Flow {
+    /// Velocity, m/s.
+    pub velocity: Vec3,
+    /// Acceleration, m/s².
+    pub acceleration: Vec3,
+}
+
+/// A flow that depends on the height and on time.
+#[derive(Clone)]
+pub enum Current {
+    /// The same everywhere, m/s.
+    Uniform(Vec3),
+    /// By the global height, m, and the time, s.
+    Profile(Arc<Profile>),
+}
+
+/// Velocity by the global height, m, and the time, s; m/s.
+pub type Profile = dyn Fn(f64, f64) -> Vec3 + Send + Sync;
+
+impl fmt::Debug for Current {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Current").field(&self.at(0.0, 0.0)).finish()
+    }
+}
+
+impl Current {
+    /// The velocity at the global height `z`, m, and the time `time`, s.
+    pub fn at(&self, z: f64, time: f64) -> Vec3 {
+        match self {
+            Self::Uniform(velocity) => *velocity,
+            Self::Profile(profile) => profile(z, time),
+        }
+    }
+}
+
+impl Medium {
+    /// Whether the water moves by itself.
+    pub fn moves(&self) -> bool {
+        !matches!(self.current, Current::Uniform(velocity) if velocity == Vec3::zeros())
+    }
+
+    /// Share of the current and of the waves at `time`, s: `s³ (6 s² − 15 s + 10)` of the time over the ramp.
+    pub fn share(&self, time: f64) -> f64 {
+        if time >= self.ramp {
+            return 1.0;
+        }
+        let s = (time / self.ramp).max(0.0);
+        s * s * s * (6.0 * s * s - 15.0 * s + 10.0)
+    }
+
+    /// The motion at `position`, of the state, and `time`, s.
+    pub fn flow(&self, position: &Vec3, time: f64) -> Flow {
+        let current = self.current.at(position.z + self.origin.z, time);
+        Flow { velocity: current * self.share(time), acceleration: Vec3::zeros() }
+    }
+
+    /// The height of the surface over or under `position`, of the state, at `time`, s; of the state, m.
+    pub fn height(&self, _position: &Vec3, _time: f64) -> f64 {
+        self.surface - self.origin.z
+    }
+}

@@ -1,0 +1,102 @@
+//! Reports what water cannot act on, and what it needs to know.
+
+use super::Checker;
+use crate::mechanics::beam::design::Elements;
+use crate::model::file::entries::beam::BeamSpec;
+use crate::model::file::entries::section::SectionSpec;
+use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
+use crate::model::file::entries::water::WaterSpec;
+use crate::model::file::number::Number;
+use crate::model::shape::sections::outer_diameter;
+
+/// How to keep the water off a beam.
+const KEEP_OFF: &str = "outer_diameter = 0 in its section keeps the water off it";
+
+impl Checker<'_> {
+    /// Reports the mistakes around `[water]`.
+    pub(super) fn check_water(&mut self) {
+        let document = self.document;
+        for section in &document.sections {
+            self.check_drag_area(section);
+        }
+        let Some(water) = &document.water else {
+            for output in &document.outputs {
+                if let Some(quantity) = output.quantities.iter().find(|own| own.is_of_water()) {
+                    let message = format!(
+                        "output {} measures \"{}\", and the model has no water",
+                        output.name,
+                        quantity.row().word
+                    );
+                    self.mistake(
+                        output.place,
+                        &message,
+                        "a section [water] is missing",
+                        "[water] with its density: 1025 kg/m3 for sea water",
+                    );
+                }
+            }
+            return;
+        };
+        self.check_gravity(water);
+        let simulation = &document.simulation;
+        if simulation.analysis == Analysis::Dynamic
+            && matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
+        {
+            let message = "generalized_alpha does not support water";
+            let help = "leave integrator out: the default supports water";
+            self.mistake(water.place, message, "a model with [water] needs another integrator", help);
+        }
+        document.beams.iter().for_each(|beam| self.check_beam_in_water(beam));
+    }
+
+    /// Drag along a beam counts with an area that conventions differ in.
+    fn check_drag_area(&mut self, section: &SectionSpec) {
+        let immersion = &section.immersion;
+        let Some([_, along]) = immersion.drag else { return };
+        let is_zero = self.document.function(along).is_constant() && self.document.value(along) == 0.0;
+        if immersion.drag_area.is_none() && !is_zero {
+            let message = format!("section {} has a drag along the beam without its area", section.name);
+            let help = "drag_area = \"diameter\" counts D per length (DNV's values for chains), and drag_area = \"circumference\" pi D (MoorDyn, OrcaFlex)";
+            self.mistake(self.document.place(along), &message, "`drag_area` is missing", help);
+        }
+    }
+
+    /// The surface is level.
+    fn check_gravity(&mut self, water: &WaterSpec) {
+        let [x, y, z] = self.document.vector(self.document.model.gravity);
+        if x != 0.0 || y != 0.0 || z > 0.0 {
+            let message = "gravity is not along -z, and water has a level surface at a height z";
+            let label = format!("gravity is [{x}, {y}, {z}]");
+            self.mistake(water.place, message, &label, "draw the model with z upwards: gravity = [0, 0, -9.81]");
+        }
+    }
+
+    fn check_beam_in_water(&mut self, beam: &BeamSpec) {
+        let document = self.document;
+        let Some(section) = document.sections.get(beam.section) else { return };
+        let value = |number: Number| document.value(number);
+        let Some(diameter) = outer_diameter(section, value) else {
+            let message =
+                format!("beam {} is in water, and its section {} has no outer diameter", beam.name, section.name);
+            let help =
+                "give `outer_diameter`: water acts on beams as on round ones of this diameter, and 0 keeps it off";
+            self.mistake(section.place, &message, "only a circle and a tube have one by their shape", help);
+            return;
+        };
+        if diameter == 0.0 {
+            return;
+        }
+        if matches!(beam.formulation, Elements::Ancf24 { .. }) {
+            let message = format!("beam {} is in water, which acts on elements of ancf14 only", beam.name);
+            self.mistake(beam.place, &message, "its elements are of ancf24", KEEP_OFF);
+        }
+        let paid_out = document
+            .winches
+            .iter()
+            .find(|winch| document.beams.get(winch.beam).is_some_and(|own| own.name == beam.name));
+        if let Some(winch) = paid_out {
+            let message = format!("winch {} pays out beam {}, which is in water", winch.name, beam.name);
+            self.mistake(winch.place, &message, "water does not act on a beam that is paid out", KEEP_OFF);
+        }
+    }
+}
