@@ -4,6 +4,7 @@
 pub mod bishop;
 pub mod blocks;
 pub mod bounds;
+pub mod catenary;
 pub mod curve;
 pub mod curve_defect;
 pub mod hermite;

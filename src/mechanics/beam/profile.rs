@@ -23,6 +23,12 @@ impl Profile {
         (self.0)(fraction)
     }
 
+    /// The same with the least rigidities of [`Section::with_least_rigidity`].
+    #[must_use]
+    pub fn with_least_rigidity(self, least: f64) -> Self {
+        if least == 0.0 { self } else { Self::new(move |fraction| self.at(fraction).with_least_rigidity(least)) }
+    }
+
     /// The section at the place `xi` (0 to 1) of the element between two fractions.
     pub fn inside(&self, fractions: [f64; 2], xi: f64) -> Section {
         self.at(inside(fractions, xi))

@@ -195,6 +195,32 @@ impl Section {
         }
     }
 
+    /// The same section, of a material with the moduli 1, with this rigidity against bending and torsion where it has
+    /// none: no load could be borne across it, and no section would have a spin.
+    #[must_use]
+    pub fn with_least_rigidity(self, least: f64) -> Self {
+        let own = [self.second_moment_y, self.second_moment_z, self.torsion_constant];
+        if least == 0.0 || own.iter().all(|rigidity| *rigidity > 0.0) {
+            return self;
+        }
+        let [second_moment_y, second_moment_z, torsion_constant] =
+            own.map(|rigidity| if rigidity > 0.0 { rigidity } else { least });
+        let polar_moment = second_moment_y + second_moment_z;
+        let inertia = self.inertia.map(|[line_density, spin, about_y, about_z]| {
+            let own = line_density * polar_moment / self.area;
+            [line_density, if spin > 0.0 { spin.max(own) } else { own }, about_y, about_z]
+        });
+        Self {
+            second_moment_y,
+            second_moment_z,
+            torsion_constant,
+            polar_moment,
+            fourth_moments: Self::rectangular_fourth_moments(self.area, second_moment_y, second_moment_z),
+            inertia,
+            ..self
+        }
+    }
+
     /// Angle about the tangent from y to the principal axis nearest to it, rad, and the second moments about the
     /// principal y and z, m⁴.
     pub fn principal_axes(&self) -> (f64, [f64; 2]) {

@@ -2,6 +2,7 @@
 //! of time or by a host.
 
 use crate::math::Vec3;
+use crate::mechanics::water::medium::Seen;
 use serde::{Deserialize, Serialize};
 
 /// Components of a load at one instant, in the load's own axes.
@@ -73,6 +74,9 @@ pub struct Excitation {
     pub efforts: Vec<f64>,
     /// Share of the drag of water that acts, 0 to 1; its buoyancy follows gravity.
     pub water: f64,
+    /// The water at four points of each element in it, where a step looks at it once; empty: it is looked at where the
+    /// elements are.
+    pub seen: Vec<[Seen; 4]>,
 }
 
 impl Excitation {
@@ -81,6 +85,7 @@ impl Excitation {
         (self.time, self.gravity, self.water) = (other.time, other.gravity, other.water);
         self.wrenches.clone_from(&other.wrenches);
         self.efforts.clone_from(&other.efforts);
+        self.seen.clone_from(&other.seen);
     }
 
     /// Sets this to what lies between `start` and `end`, at `share` (0 to 1) of the way; loads and efforts that `start`

@@ -12,6 +12,7 @@ use crate::mechanics::beam::ancf14::frame::NodeFrame;
 use crate::mechanics::beam::ancf14::rotary_inertia::RotaryInertia;
 use crate::mechanics::beam::element::{AnyElement, BeamElement};
 use crate::mechanics::body::kinematics::BODY;
+use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::state::State;
 
@@ -38,7 +39,13 @@ impl<'a> MassAt<'a> {
     /// The same with the added mass of beams in water at the coordinates `q` and `time`, s.
     #[must_use]
     pub fn wet(self, q: &'a [f64], time: f64) -> Self {
-        Self { water: Some(WaterAt { q, time }), ..self }
+        Self { water: Some(WaterAt { q, time, seen: &[] }), ..self }
+    }
+
+    /// The same in the middle of a step that looks at the water once, as `excitation` has it.
+    #[must_use]
+    pub fn wet_in(self, q: &'a [f64], excitation: &'a Excitation) -> Self {
+        Self { water: Some(WaterAt { q, time: excitation.time, seen: &excitation.seen }), ..self }
     }
 }
 

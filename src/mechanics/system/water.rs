@@ -9,6 +9,7 @@ use crate::mechanics::beam::ancf14::fluid_load::{ByCoordinates, Moving, Surround
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
+use crate::mechanics::water::medium::Seen;
 use crate::mechanics::water::{Water, Wetted};
 
 /// Where beams are in the water: what the added mass depends on.
@@ -18,30 +19,65 @@ pub struct WaterAt<'a> {
     pub q: &'a [f64],
     /// Time, s.
     pub time: f64,
+    /// As of [`Excitation::seen`].
+    pub seen: &'a [[Seen; 4]],
 }
 
 impl<'a> WaterAt<'a> {
-    fn surroundings(self, water: &'a Water, wetted: &'a Wetted) -> Surroundings<'a> {
-        let (medium, sections) = (&water.medium, &wetted.sections);
-        Surroundings { medium, sections, gravity: Vec3::zeros(), time: self.time, share: 1.0 }
+    fn surroundings(self, own: &InWater<'a>) -> Surroundings<'a> {
+        let (medium, sections, seen) = (&own.water.medium, &own.wetted.sections, self.seen.get(own.number));
+        Surroundings { medium, sections, gravity: Vec3::zeros(), time: self.time, share: 1.0, seen }
     }
 }
 
-fn surroundings<'a>(water: &'a Water, wetted: &'a Wetted, excitation: &Excitation) -> Surroundings<'a> {
-    let (medium, sections) = (&water.medium, &wetted.sections);
-    Surroundings { medium, sections, gravity: excitation.gravity, time: excitation.time, share: excitation.water }
+/// An element in water.
+struct InWater<'a> {
+    water: &'a Water,
+    wetted: &'a Wetted,
+    element: &'a Element,
+    /// Its number among those in water.
+    number: usize,
+}
+
+impl<'a> InWater<'a> {
+    fn surroundings(&self, excitation: &'a Excitation) -> Surroundings<'a> {
+        let Excitation { gravity, time, water: share, .. } = *excitation;
+        let (medium, sections, seen) =
+            (&self.water.medium, &self.wetted.sections, excitation.seen.get(self.number));
+        Surroundings { medium, sections, gravity, time, share, seen }
+    }
 }
 
 impl System {
-    /// The elements in water, with what acts on them.
-    fn wetted(&self) -> impl Iterator<Item = (&Water, &Wetted, &Element)> {
-        let own = self.water.as_deref();
-        own.into_iter().flat_map(move |water| {
-            water.wetted.iter().filter_map(move |wetted| match &self.mesh.elements[wetted.element] {
-                AnyElement::Ancf14(element) => Some((water, wetted, element)),
-                AnyElement::PaidOut(_) | AnyElement::Ancf24(_) => None,
+    /// The elements in water.
+    fn wetted(&self) -> impl Iterator<Item = InWater<'_>> {
+        let water = self.water.as_deref();
+        water.into_iter().flat_map(move |water| {
+            water.wetted.iter().enumerate().filter_map(move |(number, wetted)| {
+                let AnyElement::Ancf14(element) = &self.mesh.elements[wetted.element] else { return None };
+                Some(InWater { water, wetted, element, number })
             })
         })
+    }
+
+    /// The elements that water moves with.
+    fn with_added_mass(&self) -> impl Iterator<Item = InWater<'_>> {
+        self.wetted().filter(|own| own.wetted.sections.has_added_mass())
+    }
+
+    /// Looks at the water once for a step, where it has waves: at `time`, s, and the coordinates `q`.
+    pub fn look_at_waves(&self, q: &[f64], time: f64, excitation: &mut Excitation) {
+        excitation.seen.clear();
+        for InWater { water, element, .. } in self.wetted().filter(|own| own.water.medium.has_waves()) {
+            let mut seen = [Seen::default(); 4];
+            element.look(&water.medium, q, time, &mut seen);
+            excitation.seen.push(seen);
+        }
+    }
+
+    /// Whether water with waves acts on it.
+    pub fn has_waves(&self) -> bool {
+        self.water.as_ref().is_some_and(|water| water.medium.has_waves())
     }
 
     /// Adds `factor` times the forces of the water, internal minus external, as `passage` says.
@@ -57,9 +93,10 @@ impl System {
             return;
         }
         let of_beams = passage.of_beams();
-        for (water, wetted, element) in self.wetted() {
+        for own in self.wetted() {
+            let element = own.element;
             let moving = Moving::new(element, &c.beams, &of_beams);
-            element.add_water(&surroundings(water, wetted, excitation), &moving, -factor, forces);
+            element.add_water(&own.surroundings(excitation), &moving, -factor, forces);
         }
     }
 
@@ -72,9 +109,10 @@ impl System {
         factor: f64,
         forces: &mut [f64],
     ) {
-        for (water, wetted, element) in self.wetted() {
+        for own in self.wetted() {
+            let element = own.element;
             let moving = Moving::with(element, q, velocity, acceleration);
-            element.add_water(&surroundings(water, wetted, excitation), &moving, -factor, forces);
+            element.add_water(&own.surroundings(excitation), &moving, -factor, forces);
         }
     }
 
@@ -91,10 +129,11 @@ impl System {
         let sum = |forces: &[f64], element: &Element| -> f64 {
             element.own(forces).iter().zip(element.own(increment)).map(|(force, change)| force * change).sum()
         };
-        for (water, wetted, element) in self.wetted() {
+        for own in self.wetted() {
+            let element = own.element;
             let moving = Moving::new(element, &c.beams, &of_beams);
             let before = sum(forces, element);
-            element.add_water(&surroundings(water, wetted, excitation), &moving, -1.0, forces);
+            element.add_water(&own.surroundings(excitation), &moving, -1.0, forces);
             work -= sum(forces, element) - before;
         }
         work
@@ -117,10 +156,11 @@ impl System {
         }
         let (layout, of_beams) = (TangentLayout::of(self), passage.of_beams());
         let by = ByCoordinates::of(&of_beams);
-        for (water, wetted, element) in self.wetted() {
+        for own in self.wetted() {
+            let element = own.element;
             let moving = Moving::new(element, &c.beams, &of_beams);
-            let block = tangent.block_mut(layout.element(wetted.element));
-            let surroundings = surroundings(water, wetted, excitation);
+            let block = tangent.block_mut(layout.element(own.wetted.element));
+            let surroundings = own.surroundings(excitation);
             element.add_water_and_tangent(&surroundings, (&moving, by), [-1.0, -scale], forces, block);
         }
     }
@@ -136,28 +176,31 @@ impl System {
         tangent: &mut Blocks,
     ) {
         let (layout, passage) = (TangentLayout::of(self), Passage::with_velocity(velocity).of_beams());
-        for (water, wetted, element) in self.wetted() {
+        for own in self.wetted() {
+            let element = own.element;
             let moving = Moving::new(element, &c.beams, &passage);
-            let block = tangent.block_mut(layout.element(wetted.element));
-            element.add_water_damping(&surroundings(water, wetted, excitation), &moving, -factor, block);
+            let block = tangent.block_mut(layout.element(own.wetted.element));
+            element.add_water_damping(&own.surroundings(excitation), &moving, -factor, block);
         }
     }
 
     /// Adds `factor` times the added mass matrix to the blocks of elements in `tangent`.
     pub(super) fn add_added_mass(&self, at: WaterAt, factor: f64, tangent: &mut Blocks) {
         let layout = TangentLayout::of(self);
-        for (water, wetted, element) in self.wetted().filter(|(_, wetted, _)| wetted.sections.has_added_mass()) {
-            let (moving, block) = (Moving::at_rest(element, at.q), tangent.block_mut(layout.element(wetted.element)));
-            element.add_added_mass(&at.surroundings(water, wetted), &moving, factor, block);
+        for own in self.with_added_mass() {
+            let element = own.element;
+            let (moving, block) = (Moving::at_rest(element, at.q), tangent.block_mut(layout.element(own.wetted.element)));
+            element.add_added_mass(&at.surroundings(&own), &moving, factor, block);
         }
     }
 
     /// Adds the product of the added mass matrix with `vector` to `product`; returns `vectorᵀ M_a vector`.
     pub fn add_added_mass_times(&self, at: WaterAt, vector: &[f64], product: &mut [f64]) -> f64 {
         let mut form = 0.0;
-        for (water, wetted, element) in self.wetted().filter(|(_, wetted, _)| wetted.sections.has_added_mass()) {
+        for own in self.with_added_mass() {
+            let element = own.element;
             let moving = Moving::at_rest(element, at.q);
-            form += element.add_added_mass_times(&at.surroundings(water, wetted), &moving, vector, product);
+            form += element.add_added_mass_times(&at.surroundings(&own), &moving, vector, product);
         }
         form
     }
@@ -180,7 +223,9 @@ impl System {
         let wetted = water.of(element)?;
         let AnyElement::Ancf14(own) = &self.mesh.elements[element] else { return None };
         let moving = Moving::with(own, q, velocity, acceleration);
-        Some(with(own, &surroundings(water, wetted, excitation), &moving))
+        let (medium, sections) = (&water.medium, &wetted.sections);
+        let Excitation { gravity, time, water: share, .. } = *excitation;
+        Some(with(own, &Surroundings { medium, sections, gravity, time, share, seen: None }, &moving))
     }
 }
 

@@ -1,6 +1,8 @@
 //! The water: its density, its surface and its motion.
 
+use super::waves::Waves;
 use crate::math::Vec3;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
@@ -15,6 +17,8 @@ pub struct Medium {
     pub depth: Option<f64>,
     /// The flow without waves.
     pub current: Current,
+    /// The waves.
+    pub waves: Waves,
     /// Time in which current and waves grow, s.
     pub ramp: f64,
     /// Where positions in the state begin, global, m.
@@ -22,12 +26,34 @@ pub struct Medium {
 }
 
 /// The motion of the water at a point.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Flow {
     /// Velocity, m/s.
     pub velocity: Vec3,
     /// Acceleration, m/s².
     pub acceleration: Vec3,
+}
+
+/// The water at a point, with its surface over or under it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Seen {
+    /// Its motion.
+    pub flow: Flow,
+    /// Height of the surface, of the state, m.
+    pub height: f64,
+}
+
+impl Seen {
+    /// The sum of what is seen at four points, with these weights.
+    pub fn between(points: &[Self; 4], weights: &[f64; 4]) -> Self {
+        let mut sum = Self::default();
+        for (point, weight) in points.iter().zip(weights) {
+            sum.flow.velocity += point.flow.velocity * *weight;
+            sum.flow.acceleration += point.flow.acceleration * *weight;
+            sum.height += point.height * weight;
+        }
+        sum
+    }
 }
 
 /// A flow that depends on the height and on time.
@@ -61,7 +87,12 @@ impl Current {
 impl Medium {
     /// Whether the water moves by itself.
     pub fn moves(&self) -> bool {
-        !matches!(self.current, Current::Uniform(velocity) if velocity == Vec3::zeros())
+        self.has_waves() || !matches!(self.current, Current::Uniform(velocity) if velocity == Vec3::zeros())
+    }
+
+    /// Whether it has waves.
+    pub fn has_waves(&self) -> bool {
+        !self.waves.components.is_empty()
     }
 
     /// Share of the current and of the waves at `time`, s: `s³ (6 s² − 15 s + 10)` of the time over the ramp.
@@ -73,14 +104,34 @@ impl Medium {
         s * s * s * (6.0 * s * s - 15.0 * s + 10.0)
     }
 
+    /// The water at `position`, of the state, and `time`, s.
+    pub fn seen(&self, position: &Vec3, time: f64) -> Seen {
+        let [x, y, z] = (position + self.origin).into();
+        let share = self.share(time);
+        let still = Flow { velocity: self.current.at(z, time), acceleration: Vec3::zeros() };
+        let (mut flow, mut elevation) = (still, 0.0);
+        if self.has_waves() {
+            elevation = share * self.waves.elevation(x, y, time);
+            let waves = self.waves.flow([x, y, z - self.surface], time, self.depth, elevation);
+            flow.velocity += waves.velocity;
+            flow.acceleration += waves.acceleration;
+        }
+        let flow = Flow { velocity: flow.velocity * share, acceleration: flow.acceleration * share };
+        Seen { flow, height: self.surface + elevation - self.origin.z }
+    }
+
     /// The motion at `position`, of the state, and `time`, s.
     pub fn flow(&self, position: &Vec3, time: f64) -> Flow {
-        let current = self.current.at(position.z + self.origin.z, time);
-        Flow { velocity: current * self.share(time), acceleration: Vec3::zeros() }
+        self.seen(position, time).flow
     }
 
     /// The height of the surface over or under `position`, of the state, at `time`, s; of the state, m.
-    pub fn height(&self, _position: &Vec3, _time: f64) -> f64 {
-        self.surface - self.origin.z
+    pub fn height(&self, position: &Vec3, time: f64) -> f64 {
+        let still = self.surface - self.origin.z;
+        if !self.has_waves() {
+            return still;
+        }
+        let [x, y, _] = (position + self.origin).into();
+        still + self.share(time) * self.waves.elevation(x, y, time)
     }
 }

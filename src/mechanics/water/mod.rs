@@ -2,6 +2,8 @@
 //! resist the flow.
 
 pub mod medium;
+pub mod spectrum;
+pub mod waves;
 pub mod wet_section;
 pub mod wet_share;
 

@@ -11,6 +11,7 @@ use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::guide::FrameGuide;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::body::{BodySpec, Inertia};
+use crate::model::file::entries::curve::Line;
 use crate::model::file::entries::frame::{FrameSpec, Orientation};
 use crate::model::file::entries::load::{LoadSpec, Target};
 use crate::model::file::number::Number;
@@ -22,22 +23,31 @@ impl Builder<'_> {
         let is_paid_out = document.winches.iter().any(|winch| document.beams[winch.beam].name == beam.name);
         let written = &document.sections[beam.section];
         let length = line.spans.iter().map(|span| span.length).sum();
+        // A line that is laid is straight without stress.
+        let is_laid = matches!(beam.line, Some(Line::Laid { .. }));
+        let least = sections::least_rigidity(document, beam, line);
         let number = self.system.add_beam(&BeamDesign {
             name: beam.name.clone(),
             line: line.moved(&-self.origin),
             y_axis: vector(document, beam.y_axis),
             pretwist: document.value(beam.pretwist),
             material: sections::material(document, beam).expect("the reader asks for a material"),
-            section: sections::at_start(document, written),
-            profile: sections::along(document, written, length),
+            section: sections::at_start(document, written).with_least_rigidity(least),
+            profile: sections::along(document, written, length).map(|own| own.with_least_rigidity(least)),
             // The mass that a winch moves through the mesh carries no rotary inertia.
             rotary_inertia: beam.rotary_inertia && !is_paid_out,
             mass_damping: sections::damping(document, beam).map_or(0.0, |[_, mass]| mass),
             tension_damping: beam.tension_damping.map_or(0.0, |number| document.value(number)),
             prestress: Prestress {
                 tension: beam.pretension.map_or(0.0, |number| document.value(number)),
-                curvature: beam.free_curvature.map(|numbers| numbers.map(|number| document.value(number))),
-                torsion: beam.free_torsion.map(|number| document.value(number)),
+                curvature: match is_laid {
+                    true => Some([0.0; 2]),
+                    false => beam.free_curvature.map(|numbers| numbers.map(|number| document.value(number))),
+                },
+                torsion: match is_laid {
+                    true => Some(0.0),
+                    false => beam.free_torsion.map(|number| document.value(number)),
+                },
             },
             elements: beam.formulation,
             velocity: vector(document, beam.velocity),

@@ -5,16 +5,18 @@ use crate::math::Vec3;
 use crate::mechanics::beam::profile::inside;
 use crate::mechanics::system::System;
 use crate::mechanics::water::medium::{Current, Medium};
+use crate::mechanics::water::waves::{Component, Waves, wave_number};
 use crate::mechanics::water::wet_section::{WetSection, WetSections};
-use crate::mechanics::water::{Water, Wetted};
+use crate::mechanics::water::{Water, Wetted, spectrum};
 use crate::model::file::document::Document;
 use crate::model::file::entries::immersion::{DragArea, Immersion};
 use crate::model::file::entries::section::SectionSpec;
 use crate::model::file::entries::water::WaterSpec;
+use crate::model::file::entries::wave::Sea;
 use crate::model::file::number::Number;
 use crate::model::shape::Lines;
 use crate::model::shape::sections::outer_diameter;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 /// The water around the beams of `system`, whose state counts positions from its origin; none: the file has none.
@@ -53,9 +55,35 @@ fn medium(document: &Document, written: &WaterSpec, origin: Vec3) -> Medium {
         surface: value(written.surface),
         depth: written.depth.map(value),
         current,
+        waves: Waves { components: components(document, written), stretching: written.stretching },
         ramp: value(written.ramp),
         origin,
     }
+}
+
+/// The components of all waves of the file.
+fn components(document: &Document, water: &WaterSpec) -> Vec<Component> {
+    let value = |number| document.value(number);
+    let (gravity, depth) = (-value(document.model.gravity[2]), water.depth.map(value));
+    let mut all = Vec::new();
+    for wave in &document.waves {
+        let (sin, cos) = value(wave.direction).sin_cos();
+        let own = match wave.sea {
+            Sea::Regular { height, period, phase } => vec![[0.5 * value(height), TAU / value(period), value(phase)]],
+            Sea::Irregular { height, period, peakedness, components, seed } => {
+                let peakedness = peakedness.map_or(1.0, value);
+                spectrum::components(value(height), value(period), peakedness, components, seed as u64)
+            }
+        };
+        all.extend(own.into_iter().map(|[amplitude, frequency, phase]| Component {
+            amplitude,
+            frequency,
+            number: wave_number(frequency, gravity, depth),
+            direction: [cos, sin],
+            phase,
+        }));
+    }
+    all
 }
 
 /// The section at the arc length `s`, m.

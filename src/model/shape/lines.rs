@@ -1,8 +1,10 @@
 //! The lines of beams as drawn, from what is written; and what is wrong with them, in words.
 
-use super::{shown, vector};
+use super::{sections, shown, vector};
+use crate::math::catenary::{Catenary, NoCatenary};
 use crate::math::curve::Curve;
 use crate::math::curve_defect::{CurveDefect, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
+use crate::math::jet::Jet;
 use crate::math::{Vec3, spline};
 use crate::mechanics::beam::centerline::{Centerline, Spacing, shares};
 use crate::mechanics::beam::division::Division;
@@ -12,6 +14,7 @@ use crate::model::file::entries::curve::{CurveSpec, Line, Shape};
 use crate::model::file::number::Number;
 use crate::model::file::reader::anchor::Along;
 use crate::model::text::diagnostic::{Diagnostic, Place};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// Cosine of the sharpest corner of a polyline: one degree from going back.
@@ -93,6 +96,7 @@ pub fn line(document: &Document, beam: &BeamSpec, elements: usize) -> Drawn {
     match &beam.line {
         None => Ok(None),
         Some(Line::Straight { from, to }) => straight(document, beam, [*from, *to], elements),
+        Some(Line::Laid { place, from, to, length }) => laid(document, beam, ([*from, *to], *length, *place), elements),
         Some(Line::Curved(curve)) => match &curve.shape {
             Shape::Points(points) => through(document, beam, curve, points, elements),
             Shape::Expressions { coordinates, range } => {
@@ -140,6 +144,76 @@ fn straight(document: &Document, beam: &BeamSpec, ends: [[Number; 3]; 2], elemen
         return mistake(document, place, &message, "this is too far away", "");
     }
     Ok(Some(Centerline::straight(from, to, elements)))
+}
+
+/// As a line of a length hangs between two points.
+fn laid(
+    document: &Document,
+    beam: &BeamSpec,
+    (ends, length, place): ([[Number; 3]; 2], Number, Place),
+    elements: usize,
+) -> Drawn {
+    let [Some(from), Some(to)] = ends.map(|end| vector(document, end)) else { return Ok(None) };
+    let arc = document.value(length);
+    if document.objection(length).is_some() || !arc.is_finite() {
+        return Ok(None);
+    }
+    let span = to - from;
+    let distance = span.x.hypot(span.y);
+    let floats = floats(document, beam);
+    let sign = if floats { -1.0 } else { 1.0 };
+    let ground = document.water.as_ref().filter(|_| !floats).and_then(|water| {
+        let depth = document.value(water.depth?);
+        Some(document.value(water.surface) - depth - from.z)
+    });
+    let found = match Catenary::new(arc, [distance, sign * span.z], ground) {
+        Ok(found) => found,
+        Err(reason) => {
+            let message = format!("beam {} cannot be laid from `from` to `to`", beam.name);
+            let (label, help) = match reason {
+                NoCatenary::Short(chord) => (
+                    format!("it is {} m long, and its ends are {} m apart", shown(arc), shown(chord)),
+                    "make it longer, or leave out `lay`: a beam without it is straight",
+                ),
+                NoCatenary::Vertical => (
+                    String::from("its ends are above each other, and it would hang in a fold"),
+                    "move one of the ends sideways, or leave out `lay`",
+                ),
+                NoCatenary::Below => (
+                    String::from("one of its ends is below the bottom of the water"),
+                    "raise the end, or set a larger `depth` in [water]",
+                ),
+                NoCatenary::Heap(most) => (
+                    format!("it is {} m long, and on the bottom of the water it would lie in a heap from {} m on", shown(arc), shown(most)),
+                    "make it shorter, or move its ends apart",
+                ),
+            };
+            return mistake(document, place, &message, &label, help);
+        }
+    };
+    let along = Vec3::new(span.x, span.y, 0.0) / distance;
+    let coordinates = Arc::new(move |s| {
+        let [x, z] = found.at(s);
+        let of = |start: f64, share: f64, own: Jet| Jet {
+            value: start + share * own.value,
+            first: share * own.first,
+            second: share * own.second,
+        };
+        [of(from.x, along.x, x), of(from.y, along.y, x), of(from.z, sign, z)]
+    });
+    let curve = Curve::new(coordinates, [0.0, arc], found.limits());
+    let shape = Shape::Expressions { coordinates: ends[0], range: [length; 2] };
+    let written = CurveSpec { place, shape, polyline: false, spacing: Spacing::Arc };
+    smooth(document, beam, &written, &curve, elements)
+}
+
+/// Whether a beam weighs less than the water that it displaces.
+fn floats(document: &Document, beam: &BeamSpec) -> bool {
+    let (Some(water), Some(section)) = (&document.water, document.sections.get(beam.section)) else { return false };
+    let Some(material) = sections::material(document, beam) else { return false };
+    let [line_density, _] = sections::at_start(document, section).densities(&material);
+    let diameter = sections::outer_diameter(section, |number| document.value(number)).unwrap_or(0.0);
+    line_density < document.value(water.density) * PI / 4.0 * diameter * diameter
 }
 
 /// The curve that three expressions of the parameter give; none where a number is wrong.

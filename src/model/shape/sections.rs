@@ -1,5 +1,6 @@
 //! Sections of the file as integrals, at one place or along a beam.
 
+use crate::mechanics::beam::centerline::Centerline;
 use crate::mechanics::beam::material::Material;
 use crate::mechanics::beam::profile::Profile;
 use crate::mechanics::beam::section::Section;
@@ -124,6 +125,28 @@ pub fn integrals(written: &SectionSpec, value: impl Fn(Number) -> f64) -> Sectio
         (None, Shape::General) => like_a_rectangle(section),
         (None, _) => section,
     }
+}
+
+/// Rigidity that a beam without bending or torsion stiffness has instead, as a share of its weight, or of a millionth
+/// of its axial rigidity, times the square of an element: far below what the tension of a line does.
+const LEAST_SHARE: f64 = 1e-7;
+const LEAST_STRAIN: f64 = 1e-6;
+
+/// The rigidity against bending and torsion of a beam that has none of its own, N m²; 0 where it has both, or a
+/// material.
+pub fn least_rigidity(document: &Document, beam: &BeamSpec, line: &Centerline) -> f64 {
+    let Some(Shape::Rigidities(own)) = document.sections.get(beam.section).map(|section| section.shape) else {
+        return 0.0;
+    };
+    let value = |number: Number| document.value(number);
+    if [own.bending[0], own.bending[1], own.torsion].into_iter().all(|number| value(number) > 0.0) {
+        return 0.0;
+    }
+    let length: f64 = line.spans.iter().map(|span| span.length).sum();
+    let longest = line.spans.iter().map(|span| span.length).fold(0.0, f64::max);
+    let gravity = document.vector(document.model.gravity).iter().map(|part| part * part).sum::<f64>().sqrt();
+    let tension = (value(own.line_density) * gravity * length).max(LEAST_STRAIN * value(own.axial));
+    LEAST_SHARE * tension * longest * longest
 }
 
 /// The diameter that water sees, m; none: the shape is not round, and the file does not give one.

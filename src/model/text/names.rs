@@ -29,6 +29,7 @@ pub enum Kind {
     Surface,
     Contact,
     Load,
+    Wave,
     Output,
 }
 
@@ -53,6 +54,7 @@ pub const SECTIONS: [(&str, Kind); 20] = [
     ("surface", Kind::Surface),
     ("contact", Kind::Contact),
     ("load", Kind::Load),
+    ("wave", Kind::Wave),
     ("output", Kind::Output),
 ];
 

@@ -9,6 +9,8 @@ use crate::model::file::entries::water::WaterSpec;
 use crate::model::file::number::Number;
 use crate::model::shape::sections::outer_diameter;
 
+/// How to make a model wet.
+const ADD_WATER: &str = "add [water] with its density: 1025 kg/m3 for sea water";
 /// How to keep the water off a beam.
 const KEEP_OFF: &str = "outer_diameter = 0 in its section keeps the water off it";
 
@@ -20,24 +22,16 @@ impl Checker<'_> {
             self.check_drag_area(section);
         }
         let Some(water) = &document.water else {
-            for output in &document.outputs {
-                if let Some(quantity) = output.quantities.iter().find(|own| own.is_of_water()) {
-                    let message = format!(
-                        "output {} measures \"{}\", and the model has no water",
-                        output.name,
-                        quantity.row().word
-                    );
-                    self.mistake(
-                        output.place,
-                        &message,
-                        "a section [water] is missing",
-                        "[water] with its density: 1025 kg/m3 for sea water",
-                    );
-                }
-            }
+            self.check_dry();
             return;
         };
         self.check_gravity(water);
+        if let Some(wave) = document.waves.first()
+            && document.value(document.model.gravity[2]) == 0.0
+        {
+            let message = format!("wave {} is in a model without gravity", wave.name);
+            self.mistake(wave.place, &message, "waves are driven by it", "set gravity = [0, 0, -9.81] in [model]");
+        }
         let simulation = &document.simulation;
         if simulation.analysis == Analysis::Dynamic
             && matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
@@ -47,6 +41,22 @@ impl Checker<'_> {
             self.mistake(water.place, message, "a model with [water] needs another integrator", help);
         }
         document.beams.iter().for_each(|beam| self.check_beam_in_water(beam));
+    }
+
+    /// Reports what only a model with water has.
+    fn check_dry(&mut self) {
+        let document = self.document;
+        for wave in &document.waves {
+            let message = format!("wave {} has no water", wave.name);
+            self.mistake(wave.place, &message, "a section [water] is missing", ADD_WATER);
+        }
+        for output in &document.outputs {
+            if let Some(quantity) = output.quantities.iter().find(|own| own.is_of_water()) {
+                let word = quantity.row().word;
+                let message = format!("output {} measures \"{word}\", and the model has no water", output.name);
+                self.mistake(output.place, &message, "a section [water] is missing", ADD_WATER);
+            }
+        }
     }
 
     /// Drag along a beam counts with an area that conventions differ in.

@@ -92,7 +92,7 @@ fn collide(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> Resu
     let change: Vec<f64> = state.velocity.iter().zip(&before).map(|(after, before)| after - before).collect();
     let configuration = frames.of(system, state);
     let mut of_water = vec![0.0; change.len()];
-    let at = WaterAt { q: &state.q, time };
+    let at = WaterAt { q: &state.q, time, seen: &[] };
     let dissipated = system.kinetic_energy_of_mesh(MassAt::from(&configuration), &change)
         + 0.5 * system.add_added_mass_times(at, &change, &mut of_water);
     let means = state.velocity.iter().zip(&before).map(|(after, before)| 0.5 * (after + before));

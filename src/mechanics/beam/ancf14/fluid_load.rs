@@ -6,12 +6,13 @@
 
 use super::coordinates::{ELEMENT, SHAPE_PLACES};
 use super::element::Element;
+use crate::math::quadrature::FOUR_POINTS;
 use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3, hermite};
 use crate::mechanics::beam::balance::Acting;
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage};
 use crate::mechanics::input::excitation::Wrench;
-use crate::mechanics::water::medium::{Flow, Medium};
+use crate::mechanics::water::medium::{Flow, Medium, Seen};
 use crate::mechanics::water::wet_section::{WetSection, WetSections};
 use crate::mechanics::water::wet_share::{AxisPoint, WetPoint, each_wet_point};
 
@@ -34,6 +35,34 @@ pub struct Surroundings<'a> {
     pub time: f64,
     /// Share of the drag that acts, 0 to 1: less than 1 on the way to an equilibrium.
     pub share: f64,
+    /// The water at the four points of the rule, where it is looked at once a step.
+    pub seen: Option<&'a [Seen; 4]>,
+}
+
+impl Surroundings<'_> {
+    /// The height of the surface at the place `xi` of an element, which is at `position`.
+    fn height(&self, xi: f64, position: &Vec3) -> f64 {
+        match self.seen {
+            Some(points) => points.iter().zip(cubic(xi)).map(|(own, weight)| own.height * weight).sum(),
+            None => self.medium.height(position, self.time),
+        }
+    }
+
+    /// The motion of the water there.
+    fn flow(&self, xi: f64, position: &Vec3) -> Flow {
+        match self.seen {
+            Some(points) => Seen::between(points, &cubic(xi)).flow,
+            None => self.medium.flow(position, self.time),
+        }
+    }
+}
+
+/// Values at `xi` of the cubic Lagrange polynomials on the four points.
+fn cubic(xi: f64) -> [f64; 4] {
+    std::array::from_fn(|k| {
+        let others = FOUR_POINTS.iter().enumerate().filter(|(other, _)| *other != k);
+        others.map(|(_, point)| (xi - point) / (FOUR_POINTS[k] - point)).product()
+    })
 }
 
 /// How an element moves where the forces are taken.
@@ -180,7 +209,7 @@ impl Element {
         let (shape, shape_x) = (hermite::shape(xi, self.length), hermite::shape_x(xi, self.length));
         let (position, slope) = (weighted(&shape, &moving.q), weighted(&shape_x, &moving.q));
         AxisPoint {
-            height: position.z - water.medium.height(&position, water.time),
+            height: position.z - water.height(xi, &position),
             rise: slope.z / slope.norm().max(f64::MIN_POSITIVE),
             radius: water.sections.at(xi).radius,
         }
@@ -191,7 +220,7 @@ impl Element {
         let (shape, shape_x) = (hermite::shape(wet.xi, self.length), hermite::shape_x(wet.xi, self.length));
         let (position, slope) = (weighted(&shape, &moving.q), weighted(&shape_x, &moving.q));
         let stretch = slope.norm().max(f64::MIN_POSITIVE);
-        let Flow { velocity, acceleration } = water.medium.flow(&position, water.time);
+        let Flow { velocity, acceleration } = water.flow(wet.xi, &position);
         At {
             length: wet.weight * self.length,
             section: water.sections.at(wet.xi),
@@ -204,6 +233,14 @@ impl Element {
             shape,
             shape_x,
             wet,
+        }
+    }
+
+    /// Sets `seen` to the water at its four points at the coordinates `q` of the system.
+    pub fn look(&self, medium: &Medium, q: &[f64], time: f64, seen: &mut [Seen; 4]) {
+        let own = shapes(self.own(q));
+        for (seen, xi) in seen.iter_mut().zip(FOUR_POINTS) {
+            *seen = medium.seen(&weighted(&hermite::shape(xi, self.length), &own), time);
         }
     }
 

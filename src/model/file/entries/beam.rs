@@ -22,6 +22,7 @@ pub(super) const KEYS: &[Key] = &[
     Key::global(&[&FROM], Role::Position),
     Key::global(&[&TO], Role::Position),
     Key::name("curve", Role::Curve, "the line of a curved beam, instead of `from` and `to`: a table"),
+    Key::name("lay", Role::Number, "{ length = 410 }: a line of this length, drawn as it hangs from `from` to `to`"),
     Key::word("spacing", &words_of(&SPACINGS), "how elements share a curve"),
     Key::global(&[&Y_AXIS], Role::Direction),
     Key::number(&[&PRETWIST]),
@@ -146,6 +147,7 @@ fn formulation(reader: &mut Reader<'_, '_>, strain: Strain, is_meshed_by_program
         "twist",
         "torsion",
         "rotary_inertia",
+        "lay",
         "pretension",
         "free_curvature",
         "free_torsion",
@@ -213,6 +215,12 @@ impl BeamSpec {
         } else {
             Some(reader.reference("material", Kind::Material).unwrap_or(0))
         };
+        if reader.has("lay") {
+            for key in [FREE_CURVATURE.key, FREE_TORSION.key] {
+                let message = format!("`{key}` does not belong to a beam with `lay`");
+                reader.refuse(key, &message, "a line that is laid is straight when free of stress: remove it");
+            }
+        }
         let line = Line::read(&mut reader);
         let y_axis = reader.vector_or(&Y_AXIS, [0.0, 1.0, 0.0]);
         let is_meshed_by_program = !reader.has(ELEMENTS.key);

@@ -8,6 +8,7 @@ use crate::model::text::diagnostic::Place;
 
 pub(super) const FROM: Rule = Rule::new("from", "start of the beam, global", "m");
 pub(super) const TO: Rule = Rule::new("to", "end of the beam, global", "m");
+const LAY_LENGTH: Rule = Rule::new("length", "length of the line without stress", "m").above(0.0);
 const CURVE_X: Rule = Rule::new("x", "global x of the beam along its curve", "m").along_beam();
 const CURVE_Y: Rule = Rule::new("y", "global y of the beam along its curve", "m").along_beam();
 const CURVE_Z: Rule = Rule::new("z", "global z of the beam along its curve", "m").along_beam();
@@ -23,6 +24,17 @@ pub enum Line {
         from: [Number; 3],
         /// End, global, m.
         to: [Number; 3],
+    },
+    /// As a flexible line hangs between both ends; straight when free of stress.
+    Laid {
+        /// Where the length is written.
+        place: Place,
+        /// Start, global, m.
+        from: [Number; 3],
+        /// End, global, m.
+        to: [Number; 3],
+        /// m.
+        length: Number,
     },
     /// A curve.
     Curved(CurveSpec),
@@ -57,6 +69,8 @@ pub enum Shape {
 
 /// The words of `spacing`.
 pub(super) const SPACINGS: [(&str, Spacing); 2] = [("arc", Spacing::Arc), ("s", Spacing::Parameter)];
+/// What the lay of a line looks like.
+const LAY: &str = "{ length = 410 }";
 /// What a curve looks like.
 const FORMS: &str = "{ x = .., y = .., z = .., s = [0, 1] } or { points = [[0, 0, 0], ..] }";
 
@@ -66,6 +80,9 @@ impl Line {
         let curved = reader.has("curve");
         if reader.has("from") || reader.has("to") {
             reader.exclude("curve", "from` and `to");
+        }
+        if curved {
+            reader.exclude("lay", "curve");
         }
         if reader.has("curve") {
             return CurveSpec::read(reader).map(Self::Curved);
@@ -81,7 +98,14 @@ impl Line {
             false => reader.vector(rule),
         };
         let (from, to) = (stand_in(reader, &FROM), stand_in(reader, &TO));
-        (!curved).then_some(Self::Straight { from, to })
+        let place = reader.place_of("lay");
+        let length = reader.inner("lay", LAY).map(|mut inner| {
+            let length = inner.number(&LAY_LENGTH);
+            inner.finish();
+            length
+        });
+        let line = length.map_or(Self::Straight { from, to }, |length| Self::Laid { place, from, to, length });
+        (!curved).then_some(line)
     }
 }
 

@@ -31,6 +31,7 @@ pub mod stop;
 pub mod surface;
 pub mod switch;
 pub mod water;
+pub mod wave;
 pub mod winch;
 
 use super::number::{Number, Numbers};
@@ -105,6 +106,7 @@ parts! {
     surfaces: Surface, surface::SurfaceSpec, "Surfaces, in file order.";
     contacts: Contact, contact::ContactSpec, "Contacts, in file order.";
     loads: Load, load::LoadSpec, "Loads, in file order.";
+    waves: Wave, wave::WaveSpec, "Waves, in file order.";
     outputs: Output, output::OutputSpec, "Outputs, in file order.";
 }
 

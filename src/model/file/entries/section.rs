@@ -73,14 +73,14 @@ const FOURTH_MOMENTS: Rule =
     Rule::new("fourth_moments", "fourth moment of area (yyyy, yyzz, zzzz)", "m6").from(0.0).along_beam();
 const SECTION_TURN: Rule = Rule::new("turn", "turn of the section about the tangent", "rad").along_beam();
 const AXIAL_RIGIDITY: Rule = Rule::new("EA", "axial rigidity", "N").above(0.0).along_beam();
-const BENDING_RIGIDITY_Y: Rule = Rule::new("EI_y", "bending rigidity about y", "N.m2").above(0.0).along_beam();
-const BENDING_RIGIDITY_Z: Rule = Rule::new("EI_z", "bending rigidity about z", "N.m2").above(0.0).along_beam();
+const BENDING_RIGIDITY_Y: Rule = Rule::new("EI_y", "bending rigidity about y", "N.m2").from(0.0).along_beam();
+const BENDING_RIGIDITY_Z: Rule = Rule::new("EI_z", "bending rigidity about z", "N.m2").from(0.0).along_beam();
 const BENDING_COUPLING: Rule =
     Rule::new("EI_yz", "bending rigidity between y and z, integral of E y z", "N.m2").along_beam();
 const TENSION_CENTER: Rule =
     Rule::new("tension_center", "tension center of the section along its y and z, from the axis of the beam", "m")
         .along_beam();
-const TORSION_RIGIDITY: Rule = Rule::new("GJ", "torsion rigidity", "N.m2").above(0.0).along_beam();
+const TORSION_RIGIDITY: Rule = Rule::new("GJ", "torsion rigidity", "N.m2").from(0.0).along_beam();
 const LINE_DENSITY: Rule = Rule::new("line_density", "mass per length", "kg/m").above(0.0).along_beam();
 const POLAR_INERTIA: Rule =
     Rule::new("polar_inertia", "polar moment of inertia per length", "kg.m").above(0.0).along_beam();

@@ -107,6 +107,15 @@ impl Scratch {
     pub fn prepare(&mut self, system: &System, state: &State, step: f64, end: f64) {
         let middle = state.time + 0.5 * step;
         system.excite(middle, &state.targets, &mut self.excitation);
+        if system.has_waves() {
+            // Once a step, where the beams are expected in its middle: the iteration moves them by far less than a
+            // wave.
+            prediction::predict(state, step, &mut self.increment);
+            for ((q, start), increment) in self.q_middle.iter_mut().zip(&state.q).zip(&self.increment) {
+                *q = start + 0.5 * increment;
+            }
+            system.look_at_waves(&self.q_middle, middle, &mut self.excitation);
+        }
         system.prescribe(state, middle, &mut self.prescribed_middle);
         system.prescribe(state, end, &mut self.prescribed_end);
         self.start_rates.resize(state.strain_rates.len(), 0.0);

@@ -11,6 +11,7 @@ use super::scratch::{Scratch, Start};
 use super::{Span, Step};
 use crate::mechanics::beam::configuration::Dissipation;
 use crate::mechanics::constraint::joint::JointGradient;
+use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::state::State;
 use crate::mechanics::state::time_error::{Passed, TimeError};
 use crate::mechanics::system::System;
@@ -163,7 +164,7 @@ impl Estimator {
         self.filtered.iter_mut().zip(&self.jerk).for_each(|(own, jerk)| *own = scale * jerk);
         let solution = taken.solution;
         let mass = MassAt::new(&solution.prescribed_middle.drives, &solution.frames_middle)
-            .wet(&solution.q_middle, taken.state.time + 0.5 * h);
+            .wet_in(&solution.q_middle, &solution.excitation);
         system.mass_times(mass, &self.filtered[..coordinates], &mut right[..coordinates]);
         right[coordinates..].fill(0.0);
         match kkt.solve_roughly(right) {
@@ -205,7 +206,7 @@ impl Estimator {
     ) -> Result<Found, Singular> {
         let (h, error) = (taken.span.step, &taken.state.time_error);
         if taken.state.statistics.steps.is_multiple_of(CLEARING) {
-            self.clear(system, kkt, (taken.solution, taken.state.time + 0.5 * h), velocity, right)?;
+            self.clear(system, kkt, taken.solution, velocity, right)?;
         }
         let mean = 0.5 * (h + error.step);
         self.find_source(system, taken, error, mean);
@@ -283,7 +284,8 @@ impl Estimator {
         if system.is_in_water() {
             // Its momentum is none of the state: it enters by the source alone.
             of_water.fill(0.0);
-            let at = WaterAt { q: q_middle, time: state.time + 0.5 * h };
+            let Excitation { time, seen, .. } = &solution.excitation;
+            let at = WaterAt { q: q_middle, time: *time, seen };
             system.add_added_mass_times(at, &self.filtered[..coordinates], of_water);
         }
         system.mass_times(mass, &right[..coordinates], &mut self.filtered[..coordinates]);
@@ -415,7 +417,7 @@ impl Estimator {
         &mut self,
         system: &System,
         kkt: &mut Kkt,
-        (solution, time): (&Scratch, f64),
+        solution: &Scratch,
         velocity: &mut [f64],
         right: &mut [f64],
     ) -> Result<(), Singular> {
@@ -423,7 +425,7 @@ impl Estimator {
         let coordinates = velocity.len();
         targets.fill(0.0);
         system.add_constraint_rates(&solution.gradients_end, velocity, targets);
-        let mass = MassAt::new(&solution.prescribed_middle.drives, &scratch.frames_middle).wet(&scratch.q_middle, time);
+        let mass = MassAt::new(&solution.prescribed_middle.drives, &scratch.frames_middle).wet_in(&scratch.q_middle, &solution.excitation);
         system.mass_times(mass, velocity, &mut right[..coordinates]);
         right[coordinates..].copy_from_slice(targets);
         kkt.solve_roughly(right)?;
