@@ -2,7 +2,7 @@
 //! of time or by a host.
 
 use crate::math::Vec3;
-use crate::mechanics::water::medium::Seen;
+use crate::mechanics::water::flow::Seen;
 use serde::{Deserialize, Serialize};
 
 /// Components of a load at one instant, in the load's own axes.

@@ -74,7 +74,7 @@ lists! {
     /// The algorithmic ones, which velocities and coordinates follow from.
     algorithmic_acceleration: CoordinatesOrNone,
     /// By how much the velocities that the accelerations of added mass are counted from exceed the projected ones
-    /// (MECHANICS 14), 1/s each; none: before the first step, and of systems without water.
+    /// (MECHANICS 11), 1/s each; none: before the first step, and of systems without water.
     velocity_lead: CoordinatesOrNone,
 }
 

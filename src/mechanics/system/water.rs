@@ -1,4 +1,4 @@
-//! Water in the equations of a system (MECHANICS 14): its forces, and the mass that moves with beams.
+//! Water in the equations of a system (MECHANICS 11): its forces, and the mass that moves with beams.
 
 use super::System;
 use super::tangent_layout::TangentLayout;
@@ -9,7 +9,7 @@ use crate::mechanics::beam::ancf14::fluid_load::{ByCoordinates, Moving, Surround
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
-use crate::mechanics::water::medium::Seen;
+use crate::mechanics::water::flow::Seen;
 use crate::mechanics::water::{Water, Wetted};
 
 /// Where beams are in the water: what the added mass depends on.
@@ -42,8 +42,7 @@ struct InWater<'a> {
 impl<'a> InWater<'a> {
     fn surroundings(&self, excitation: &'a Excitation) -> Surroundings<'a> {
         let Excitation { gravity, time, water: share, .. } = *excitation;
-        let (medium, sections, seen) =
-            (&self.water.medium, &self.wetted.sections, excitation.seen.get(self.number));
+        let (medium, sections, seen) = (&self.water.medium, &self.wetted.sections, excitation.seen.get(self.number));
         Surroundings { medium, sections, gravity, time, share, seen }
     }
 }
@@ -189,7 +188,8 @@ impl System {
         let layout = TangentLayout::of(self);
         for own in self.with_added_mass() {
             let element = own.element;
-            let (moving, block) = (Moving::at_rest(element, at.q), tangent.block_mut(layout.element(own.wetted.element)));
+            let (moving, block) =
+                (Moving::at_rest(element, at.q), tangent.block_mut(layout.element(own.wetted.element)));
             element.add_added_mass(&at.surroundings(&own), &moving, factor, block);
         }
     }

@@ -1,6 +1,7 @@
 //! The water that beams are in: the medium and its motion, the share of a section below the surface, and how sections
 //! resist the flow.
 
+pub mod flow;
 pub mod medium;
 pub mod spectrum;
 pub mod waves;

@@ -88,9 +88,7 @@ mod tests {
     fn a_sea_of_jonswap() {
         assert!((density(0.1, 6.0, 10.0, 3.3) - 69.755_543).abs() < 1e-4);
         let sea = components(6.0, 10.0, 3.3, 200, 1);
-        let moment = |power: i32| -> f64 {
-            sea.iter().map(|[a, w, _]| 0.5 * a * a * (w / TAU).powi(power)).sum()
-        };
+        let moment = |power: i32| -> f64 { sea.iter().map(|[a, w, _]| 0.5 * a * a * (w / TAU).powi(power)).sum() };
         assert!((4.0 * moment(0).sqrt() - 6.0).abs() < 1e-12);
         assert!(((moment(0) / moment(2)).sqrt() / 7.812_470 - 1.0).abs() < 0.01);
         assert_eq!(sea, components(6.0, 10.0, 3.3, 200, 1));

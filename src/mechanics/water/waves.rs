@@ -4,7 +4,7 @@
 //! velocities `A ω C cos θ` along its direction and `A ω S sin θ` upwards, `C = cosh(k (z + h))/sinh(k h)` and
 //! `S = sinh(k (z + h))/sinh(k h)` at `z` above still water, and the accelerations of these at a fixed point.
 
-use super::medium::Flow;
+use super::flow::Flow;
 use crate::math::Vec3;
 
 /// What the theory of small waves says above still water, where it has no water.

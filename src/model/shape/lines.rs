@@ -184,7 +184,11 @@ fn laid(
                     "raise the end, or set a larger `depth` in [water]",
                 ),
                 NoCatenary::Heap(most) => (
-                    format!("it is {} m long, and on the bottom of the water it would lie in a heap from {} m on", shown(arc), shown(most)),
+                    format!(
+                        "it is {} m long, and on the bottom of the water it would lie in a heap from {} m on",
+                        shown(arc),
+                        shown(most)
+                    ),
                     "make it shorter, or move its ends apart",
                 ),
             };

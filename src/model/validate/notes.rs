@@ -10,6 +10,7 @@ mod fast_signals;
 mod forces;
 mod groups;
 mod hidden_jumps;
+mod lines;
 mod loose;
 mod many_switches;
 mod materials;
@@ -55,6 +56,7 @@ pub fn notes(document: &Document) -> Vec<String> {
         materials::odd_materials(document),
         slenderness::stubby_beams(document, &lines),
         angles::odd_angles(document),
+        lines::lines(document, &lines),
         starts::jumps(document, &lines),
         contacts::coarse_contacts(document, &lines),
         poles::poles(document),

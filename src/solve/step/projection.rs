@@ -169,7 +169,11 @@ impl Projection {
         let (momentum, rates) = self.right.split_at_mut(state.q.len());
         momentum.copy_from_slice(&state.momentum);
         if self.is_wet {
-            system.add_added_mass_times(WaterAt { q: &state.q, time: state.time, seen: &[] }, &state.velocity, momentum);
+            system.add_added_mass_times(
+                WaterAt { q: &state.q, time: state.time, seen: &[] },
+                &state.velocity,
+                momentum,
+            );
         }
         system.constraint_rates(&configuration, rates);
         rates.iter_mut().for_each(|rate| *rate = -*rate);

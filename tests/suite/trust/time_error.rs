@@ -22,7 +22,7 @@ pub(super) fn shaft(step: &str) -> String {
 }
 
 /// A component of an output at every row until `stop`, s, and the simulation there.
-pub(super) fn rows(text: &str, name: &str, interval: f64, stop: f64) -> (Vec<f64>, Simulation) {
+pub fn rows(text: &str, name: &str, interval: f64, stop: f64) -> (Vec<f64>, Simulation) {
     let mut simulation = start(text);
     let count = (stop / interval).round() as usize;
     let found = (1..=count).map(|row| {
@@ -33,7 +33,7 @@ pub(super) fn rows(text: &str, name: &str, interval: f64, stop: f64) -> (Vec<f64
 }
 
 /// The largest difference over the range of what is compared with.
-pub(super) fn difference(rows: &[f64], reference: &[f64]) -> f64 {
+pub fn difference(rows: &[f64], reference: &[f64]) -> f64 {
     let pairs = rows.iter().zip(reference);
     let largest = pairs.map(|(own, other)| (own - other).abs()).fold(0.0, f64::max);
     let (low, high) = reference.iter().fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(*x), high.max(*x)));
@@ -41,7 +41,7 @@ pub(super) fn difference(rows: &[f64], reference: &[f64]) -> f64 {
 }
 
 /// The share of its range that the run says a family of results is off by.
-pub(super) fn estimate(simulation: &Simulation, family: &str) -> f64 {
+pub fn estimate(simulation: &Simulation, family: &str) -> f64 {
     let errors = simulation.estimated_errors();
     errors.iter().find(|own| own.name == family).unwrap_or_else(|| panic!("no {family} in {errors:?}")).error
 }

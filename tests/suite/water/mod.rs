@@ -2,7 +2,11 @@
 
 mod added_mass;
 mod drag;
+mod lay;
+mod riser;
 mod surface;
+mod told_errors;
+mod waves;
 
 /// A model file with water of `density` kg/m³, whose surface is at `surface` m, and with gravity `gravity` m/s²; `rest`
 /// are more keys of `[water]`.

@@ -1,4 +1,4 @@
-//! Forces of water along an element (MECHANICS 14): buoyancy, drag, and the inertia of the water around it, per
+//! Forces of water along an element (MECHANICS 11): buoyancy, drag, and the inertia of the water around it, per
 //! undeformed length, at four Gauss points of each part that is wet.
 //!
 //! `f = s [−ρA g + ρA u̇ + b_n (u̇ − v̇)_n + b_t (u̇ − v̇)_t + d_n |w_n| w_n + d_t |w_t| w_t]`, with the wet share `s`, the
@@ -12,7 +12,8 @@ use crate::math::{Mat3, Vec3, hermite};
 use crate::mechanics::beam::balance::Acting;
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage};
 use crate::mechanics::input::excitation::Wrench;
-use crate::mechanics::water::medium::{Flow, Medium, Seen};
+use crate::mechanics::water::flow::{Flow, Seen};
+use crate::mechanics::water::medium::Medium;
 use crate::mechanics::water::wet_section::{WetSection, WetSections};
 use crate::mechanics::water::wet_share::{AxisPoint, WetPoint, each_wet_point};
 

@@ -200,7 +200,7 @@ impl Scratch {
 
     /// Sets by how much the velocities of `next`, that the accelerations of added mass in the next step are counted
     /// from, exceed the projected ones: the mean velocity over the step of `step` s from `state` less that of its ends.
-    /// Added mass then sees the motion as the mass of the beams does, whose momentum has that part (MECHANICS 14).
+    /// Added mass then sees the motion as the mass of the beams does, whose momentum has that part (MECHANICS 11).
     pub fn lead(&self, system: &System, state: &State, step: f64, next: &mut State) {
         if system.water.is_none() {
             return;

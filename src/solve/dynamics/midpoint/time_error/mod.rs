@@ -425,7 +425,8 @@ impl Estimator {
         let coordinates = velocity.len();
         targets.fill(0.0);
         system.add_constraint_rates(&solution.gradients_end, velocity, targets);
-        let mass = MassAt::new(&solution.prescribed_middle.drives, &scratch.frames_middle).wet_in(&scratch.q_middle, &solution.excitation);
+        let mass = MassAt::new(&solution.prescribed_middle.drives, &scratch.frames_middle)
+            .wet_in(&scratch.q_middle, &solution.excitation);
         system.mass_times(mass, velocity, &mut right[..coordinates]);
         right[coordinates..].copy_from_slice(targets);
         kkt.solve_roughly(right)?;
