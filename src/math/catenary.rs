@@ -1,8 +1,8 @@
 //! A flexible line of given length between two points, as it hangs, with the part of it that lies on level ground.
 //!
-//! In the vertical plane of both points, `x` from the first one towards the second, `z` upwards. By the arc length `σ`
-//! from the lowest point an arc is `x = a asinh(σ/a)`, `z = √(a² + σ²) − a`, with the horizontal force over the weight
-//! per length, `a`. On the ground, two arcs of the same `a` end in a straight piece.
+//! Coordinates are those of the vertical plane of both points, `x` from the first one towards the second, `z` upwards.
+//! By the arc length `σ` from the lowest point an arc is `x = a asinh(σ/a)`, `z = √(a² + σ²) − a`, with the horizontal
+//! force over the weight per length, `a`. On the ground, two arcs of the same `a` end in a straight piece.
 
 use super::jet::Jet;
 
@@ -32,13 +32,13 @@ pub struct Catenary {
     a: f64,
     /// Arc length at which the first arc ends, or would, and where that is.
     lowest: f64,
-    place: [f64; 2],
+    bottom: [f64; 2],
     /// Length of the straight piece.
     laid: f64,
 }
 
 impl Catenary {
-    /// Of `length` from the origin to `end`, `x > 0` and `z`, m; `ground` is the height of level ground.
+    /// A line of `length` from the origin to `end`, `x > 0` and `z`, m; `ground` is the height of level ground.
     ///
     /// # Errors
     /// There is none.
@@ -58,7 +58,7 @@ impl Catenary {
             return Err(NoCatenary::Below);
         }
         let is_inside = 0.0 < free.lowest && free.lowest < length;
-        if !is_inside || free.place[1] >= ground {
+        if !is_inside || free.bottom[1] >= ground {
             return Ok(free);
         }
         Self::on_ground(length, distance, heights.map(|height| height.max(0.0)), ground)
@@ -71,7 +71,7 @@ impl Catenary {
         let a = distance / (2.0 * u);
         let first = (rise / length).atanh() - u;
         let lowest = -a * first.sinh();
-        Self { a, lowest, place: [-a * first, a - a.hypot(lowest)], laid: 0.0 }
+        Self { a, lowest, bottom: [-a * first, a - a.hypot(lowest)], laid: 0.0 }
     }
 
     /// Both arcs end at the ground, with the ends at these heights above it: `L − x = Σ (σ_i − x_i)`.
@@ -84,12 +84,12 @@ impl Catenary {
         let spare = |a: f64| heights.iter().map(|height| arc(a, *height)).map(|[along, x]| along - x).sum::<f64>();
         let a = root([1e-12 * length, 1e9 * length], |a| spare(a) > length - distance);
         let [first, second] = heights.map(|height| arc(a, height));
-        Ok(Self { a, lowest: first[0], place: [first[1], ground], laid: (length - first[0] - second[0]).max(0.0) })
+        Ok(Self { a, lowest: first[0], bottom: [first[1], ground], laid: (length - first[0] - second[0]).max(0.0) })
     }
 
     /// `x` and `z` at the arc length `s`.
     pub fn at(&self, s: f64) -> [Jet; 2] {
-        let Self { a, lowest, place: [x, z], laid } = *self;
+        let Self { a, lowest, bottom: [x, z], laid } = *self;
         let (sigma, before) = if s < lowest {
             (s - lowest, 0.0)
         } else if s <= lowest + laid {
@@ -157,7 +157,7 @@ mod tests {
         assert!((line.laid + a * (sigma / a).asinh() - 400.0).abs() < 1e-9);
     }
 
-    /// What cannot hang is told.
+    /// Impossible lines are told.
     #[test]
     fn impossible_lines() {
         assert_eq!(Catenary::new(5.0, [3.0, 4.0], None), Err(NoCatenary::Short(5.0)));

@@ -98,7 +98,7 @@ mod tests {
         }
     }
 
-    /// Polynomials as high as the points determine must be integrated up to any place; the tolerance is rounding.
+    /// Polynomials as high as the points determine must be integrated up to any position; the tolerance is rounding.
     #[test]
     fn shares_integrate_polynomials() {
         for xi in [0.0_f64, 0.2, 0.5, 0.83, 1.0] {

@@ -11,7 +11,7 @@
 //! | `q`, `v` | coordinates (node: `r`, `p`, `theta`) and their velocities |
 //! | `r`, `p = r'` | position of a node, m, and its slope: derivative by undeformed arc length, 1 |
 //! | `theta` | angle of the section against the frame carried along the beam's tangent, rad |
-//! | `xi` | place in an element, 0 to 1; `h` a step in time, s |
+//! | `xi` | position in an element, 0 to 1; `h` a step in time, s |
 //! | `t`, `u`, `v` | tangent and normals of a carried frame; `section = [t y z]` the section's axes |
 //! | `kappa` | curvature of the carried frame, `gamma` of the section, 1/m |
 //! | `omega`, `tau` | twist rate of the carried frame, torsion of the section, rad/m |

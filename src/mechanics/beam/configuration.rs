@@ -75,7 +75,7 @@ pub struct TimeStep<'a, C = BeamConfiguration<'a>> {
     pub predicted_rates: &'a [f64],
     /// What elements with holonomy angles have at the start.
     pub starts: &'a [EndStrains],
-    /// By how much the velocities that accelerations are counted from exceed those at the start, 1/s each; empty: not.
+    /// The velocities that accelerations are counted from less those at the start, 1/s each; empty: they are the same.
     pub velocity_lead: &'a [f64],
 }
 

@@ -29,13 +29,13 @@ impl Profile {
         if least == 0.0 { self } else { Self::new(move |fraction| self.at(fraction).with_least_rigidity(least)) }
     }
 
-    /// The section at the place `xi` (0 to 1) of the element between two fractions.
+    /// The section at the position `xi` (0 to 1) of the element between two fractions.
     pub fn inside(&self, fractions: [f64; 2], xi: f64) -> Section {
         self.at(inside(fractions, xi))
     }
 }
 
-/// The fraction at the place `xi` (0 to 1) of the element between two fractions, inside the element.
+/// The fraction at the position `xi` (0 to 1) of the element between two fractions, inside the element.
 pub fn inside([begin, end]: [f64; 2], xi: f64) -> f64 {
     begin + (end - begin) * xi.clamp(INSIDE, 1.0 - INSIDE)
 }

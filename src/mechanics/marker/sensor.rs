@@ -37,7 +37,7 @@ pub struct Sensor {
     sections: Vec<Section>,
 }
 
-/// A place in an element, with what it is like undeformed.
+/// A position in an element, with what it is like undeformed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section {
     /// The element.
@@ -63,12 +63,12 @@ impl Sensor {
         Self { marker, drawn: marker.pose(c), on_beam, observer: None, facing: Facing::default(), sections }
     }
 
-    /// Of a point of a beam: an element that it belongs to, with the place in it.
+    /// An element that a point of a beam belongs to, with its position in it.
     pub fn in_element(&self) -> Option<(usize, f64)> {
         self.sections.first().map(|section| (section.element, section.xi))
     }
 
-    /// The element, with the place in it, whose strains turn the section beyond its marker: of a point inside an
+    /// The element, with the position in it, whose strains turn the section beyond its marker: of a point inside an
     /// element. What is tied to the section turns with the marker, as loads and springs do.
     fn relaxed(&self) -> Option<(usize, f64)> {
         match (self.marker, self.on_beam) {
@@ -158,7 +158,7 @@ impl Sensor {
         &self.sections
     }
 
-    /// The elements that it belongs to, each with the place in it, 0 to 1.
+    /// The elements that it belongs to, each with the position in it, 0 to 1.
     pub fn places(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.sections.iter().map(|section| (section.element, section.xi))
     }
@@ -183,7 +183,7 @@ impl Sensor {
 }
 
 impl Section {
-    /// At the place `xi` (0 to 1) of element `element`, in the configuration `c` as drawn.
+    /// At the position `xi` (0 to 1) of element `element`, in the configuration `c` as drawn.
     fn new(c: &Configuration, element: usize, xi: f64) -> Self {
         Self { element, xi, drawn: c.mesh.elements[element].section_shape(&c.beams, xi) }
     }

@@ -84,9 +84,7 @@ impl SectionLoads<'_> {
             add((jacobian.place_q.tr_mul(&force) + jacobian.turn_q.tr_mul(&moment)).as_slice(), &mut inside);
         });
         self.in_water(element, |own, water, moving| {
-            let mut forces = vec![0.0; state.q.len()];
-            own.add_water(water, moving, 1.0, &mut forces);
-            add(own.own(&forces), &mut inside);
+            own.add_water(water, moving, 1.0, &mut inside);
         });
         ElementBalance { loads: self, element, balance: own.balance(&c.beams, &self.instant(element), &inside), along }
     }
@@ -97,9 +95,8 @@ impl SectionLoads<'_> {
         if system.is_in_water() {
             let Instant { moves, velocity, gravity, .. } = self.instant(element);
             let water = water_alone(gravity, state.instant());
-            let rest = vec![0.0; if moves { 0 } else { velocity.len() }];
-            let (velocity, acceleration) = if moves { (velocity, self.acceleration) } else { (&rest[..], &rest[..]) };
-            system.in_water(element, (c.beams.q, velocity, acceleration), &water, with);
+            let motion = moves.then_some([velocity, self.acceleration]);
+            system.in_water(element, (c.beams.q, motion), &water, with);
         }
     }
 

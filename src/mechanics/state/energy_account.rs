@@ -1,8 +1,8 @@
 //! The account of a motion: its energy changes by the work of loads, actuators and drives, by what dampers take, and by
 //! the drift, which is the integrator's.
 //!
-//! `energy.total(t) − energy.total(0) = loads + actuators + drives + water − dissipated + drift`, summed over the steps as they
-//! take their forces.
+//! `energy.total(t) − energy.total(0) = loads + actuators + drives + water − dissipated + drift`, summed over the steps
+//! as they take their forces.
 
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,7 @@ pub struct Work {
     pub drives: f64,
     /// Taken by dampers, friction, stops and material damping.
     pub dissipated: f64,
-    /// By water: buoyancy, drag, and the inertia of what moves with beams.
+    /// Done by water: buoyancy, drag, and the inertia of what moves with beams.
     pub water: f64,
 }
 

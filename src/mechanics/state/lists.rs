@@ -73,8 +73,8 @@ lists! {
     acceleration: CoordinatesOrNone,
     /// The algorithmic ones, which velocities and coordinates follow from.
     algorithmic_acceleration: CoordinatesOrNone,
-    /// By how much the velocities that the accelerations of added mass are counted from exceed the projected ones
-    /// (MECHANICS 11), 1/s each; none: before the first step, and of systems without water.
+    /// The velocities that the accelerations of added mass are counted from less the projected ones (MECHANICS 11), 1/s
+    /// each; none: before the first step, and of systems without water.
     velocity_lead: CoordinatesOrNone,
 }
 

@@ -64,7 +64,7 @@ use crate::mechanics::state::State;
 use crate::mechanics::water::Water;
 use std::ops::Range;
 
-/// Coordinates of a place, the first ones of every node and body.
+/// Coordinates of a position, the first ones of every node and body.
 const PLACE: usize = 3;
 
 /// The system. Coordinates: those of all nodes, then those of all bodies.
@@ -247,7 +247,7 @@ impl System {
         self.mesh.coordinates() + BODY * self.bodies.len()
     }
 
-    /// The coordinates of each node, then of each body; the first three of each are its place.
+    /// The coordinates of each node, then of each body; the first three of each are its position.
     fn parts(&self) -> impl Iterator<Item = Range<usize>> + '_ {
         let bodies = self.bodies.iter().map(|body| body.start..body.start + BODY);
         self.mesh.nodes.iter().map(Node::coordinates).chain(bodies)
@@ -343,7 +343,7 @@ impl System {
         named.map_or_else(|| String::from("a spring"), |joint| joint.name.clone())
     }
 
-    /// Whether coordinate `index` is a place, m; the others are slopes, angles and directors.
+    /// Whether coordinate `index` is of a position, m; the others are slopes, angles and directors.
     pub fn is_place(&self, index: usize) -> bool {
         let nodes = self.mesh.coordinates();
         if index < nodes {
@@ -353,8 +353,8 @@ impl System {
         }
     }
 
-    /// The largest of changes of the coordinates: of places over the system's size, and of slopes, angles and directors
-    /// as they are.
+    /// The largest of changes of the coordinates: of positions over the system's size, and of slopes, angles and
+    /// directors as they are.
     pub fn motion_sizes(&self, changes: &[f64]) -> [f64; 2] {
         let (mut places, mut others) = (Largest::default(), Largest::default());
         for part in self.parts() {
@@ -402,7 +402,7 @@ impl System {
         self.spread = if square > 0.0 { (12.0 * square).sqrt() } else { self.size };
     }
 
-    /// The mean over nodes and bodies of the products of two changes of the coordinates: of places over
+    /// The mean over nodes and bodies of the products of two changes of the coordinates: of positions over
     /// [`Self::spread`], of slopes, angles and directors as they are. It measures the lengths of paths, alike with any
     /// number of elements.
     pub fn mean_product(&self, one: &[f64], other: &[f64]) -> f64 {

@@ -4,9 +4,10 @@ use super::System;
 use super::tangent_layout::TangentLayout;
 use crate::math::Vec3;
 use crate::math::blocks::Blocks;
+use crate::mechanics::beam::ancf14::coordinates::ELEMENT;
 use crate::mechanics::beam::ancf14::element::Element;
 use crate::mechanics::beam::ancf14::fluid_load::{ByCoordinates, Moving, Surroundings};
-use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::beam::element::{AnyElement, BeamElement};
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::water::flow::Seen;
@@ -26,7 +27,7 @@ pub struct WaterAt<'a> {
 impl<'a> WaterAt<'a> {
     fn surroundings(self, own: &InWater<'a>) -> Surroundings<'a> {
         let (medium, sections, seen) = (&own.water.medium, &own.wetted.sections, self.seen.get(own.number));
-        Surroundings { medium, sections, gravity: Vec3::zeros(), time: self.time, share: 1.0, seen }
+        Surroundings { medium, sections, gravity: Vec3::zeros(), time: self.time, share: 1.0, seen, is_still: false }
     }
 }
 
@@ -40,10 +41,16 @@ struct InWater<'a> {
 }
 
 impl<'a> InWater<'a> {
+    /// Its surroundings as the system passes through; in equilibria there are no waves.
+    fn passed(&self, excitation: &'a Excitation, passage: &Passage) -> Surroundings<'a> {
+        let is_still = matches!(passage, Passage::Rest | Passage::Corrected(_));
+        Surroundings { is_still, ..self.surroundings(excitation) }
+    }
+
     fn surroundings(&self, excitation: &'a Excitation) -> Surroundings<'a> {
         let Excitation { gravity, time, water: share, .. } = *excitation;
         let (medium, sections, seen) = (&self.water.medium, &self.wetted.sections, excitation.seen.get(self.number));
-        Surroundings { medium, sections, gravity, time, share, seen }
+        Surroundings { medium, sections, gravity, time, share, seen, is_still: false }
     }
 }
 
@@ -95,7 +102,7 @@ impl System {
         for own in self.wetted() {
             let element = own.element;
             let moving = Moving::new(element, &c.beams, &of_beams);
-            element.add_water(&own.surroundings(excitation), &moving, -factor, forces);
+            element.add_water(&own.passed(excitation, passage), &moving, -factor, &mut forces[element.coordinates()]);
         }
     }
 
@@ -111,7 +118,7 @@ impl System {
         for own in self.wetted() {
             let element = own.element;
             let moving = Moving::with(element, q, velocity, acceleration);
-            element.add_water(&own.surroundings(excitation), &moving, -factor, forces);
+            element.add_water(&own.surroundings(excitation), &moving, -factor, &mut forces[element.coordinates()]);
         }
     }
 
@@ -125,15 +132,17 @@ impl System {
         forces: &mut [f64],
     ) -> f64 {
         let (of_beams, mut work) = (passage.of_beams(), 0.0);
-        let sum = |forces: &[f64], element: &Element| -> f64 {
-            element.own(forces).iter().zip(element.own(increment)).map(|(force, change)| force * change).sum()
-        };
         for own in self.wetted() {
             let element = own.element;
             let moving = Moving::new(element, &c.beams, &of_beams);
-            let before = sum(forces, element);
-            element.add_water(&own.surroundings(excitation), &moving, -1.0, forces);
-            work -= sum(forces, element) - before;
+            let mut force = [0.0; ELEMENT];
+            element.add_water(&own.surroundings(excitation), &moving, 1.0, &mut force);
+            for ((sum, force), change) in
+                forces[element.coordinates()].iter_mut().zip(force).zip(element.own(increment))
+            {
+                *sum -= force;
+                work += force * change;
+            }
         }
         work
     }
@@ -159,7 +168,8 @@ impl System {
             let element = own.element;
             let moving = Moving::new(element, &c.beams, &of_beams);
             let block = tangent.block_mut(layout.element(own.wetted.element));
-            let surroundings = own.surroundings(excitation);
+            let surroundings = own.passed(excitation, passage);
+            let forces = &mut forces[element.coordinates()];
             element.add_water_and_tangent(&surroundings, (&moving, by), [-1.0, -scale], forces, block);
         }
     }
@@ -187,9 +197,8 @@ impl System {
     pub(super) fn add_added_mass(&self, at: WaterAt, factor: f64, tangent: &mut Blocks) {
         let layout = TangentLayout::of(self);
         for own in self.with_added_mass() {
-            let element = own.element;
-            let (moving, block) =
-                (Moving::at_rest(element, at.q), tangent.block_mut(layout.element(own.wetted.element)));
+            let (element, moving) = (own.element, Moving::at_rest(own.element, at.q));
+            let block = tangent.block_mut(layout.element(own.wetted.element));
             element.add_added_mass(&at.surroundings(&own), &moving, factor, block);
         }
     }
@@ -200,6 +209,7 @@ impl System {
         for own in self.with_added_mass() {
             let element = own.element;
             let moving = Moving::at_rest(element, at.q);
+            let product = &mut product[element.coordinates()];
             form += element.add_added_mass_times(&at.surroundings(&own), &moving, vector, product);
         }
         form
@@ -210,30 +220,35 @@ impl System {
         self.water.is_some()
     }
 
-    /// Calls `with` with the element of this number in the water, as it moves with these velocities and accelerations;
-    /// none: it is not in water.
+    /// Calls `with` with the element of this number in the water at `q`, as it moves with these velocities and
+    /// accelerations, or at rest; none: it is not in water.
     pub fn in_water<R>(
         &self,
         element: usize,
-        (q, velocity, acceleration): (&[f64], &[f64], &[f64]),
+        (q, motion): (&[f64], Option<[&[f64]; 2]>),
         excitation: &Excitation,
         with: impl FnOnce(&Element, &Surroundings, &Moving) -> R,
     ) -> Option<R> {
         let water = self.water.as_deref()?;
         let wetted = water.of(element)?;
         let AnyElement::Ancf14(own) = &self.mesh.elements[element] else { return None };
-        let moving = Moving::with(own, q, velocity, acceleration);
+        let moving = match motion {
+            Some([velocity, acceleration]) => Moving::with(own, q, velocity, acceleration),
+            None => Moving::at_rest(own, q),
+        };
         let (medium, sections) = (&water.medium, &wetted.sections);
         let Excitation { gravity, time, water: share, .. } = *excitation;
-        Some(with(own, &Surroundings { medium, sections, gravity, time, share, seen: None }, &moving))
+        Some(with(
+            own,
+            &Surroundings { medium, sections, gravity, time, share, seen: None, is_still: motion.is_none() },
+            &moving,
+        ))
     }
-}
 
-impl System {
-    /// Drag per length, N/m, on the section at this element and this place in it at `c`, with the velocities `velocity`
+    /// Drag per length, N/m, on the section at this position of this element at `c`, with the velocities `velocity`
     /// and at `time`, s; none: it is not in water.
     pub fn drag_at(&self, (element, xi): (usize, f64), c: &Configuration, velocity: &[f64], time: f64) -> Option<Vec3> {
-        let moving = (c.beams.q, velocity, velocity);
+        let moving = (c.beams.q, Some([velocity, velocity]));
         let water = water_alone(self.gravity, time);
         self.in_water(element, moving, &water, |own, water, moving| own.drag_at(water, moving, xi))
     }

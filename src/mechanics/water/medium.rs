@@ -30,7 +30,7 @@ pub struct Medium {
 pub enum Current {
     /// The same everywhere, m/s.
     Uniform(Vec3),
-    /// By the global height, m, and the time, s.
+    /// A function of the global height, m, and the time, s.
     Profile(Arc<Profile>),
 }
 
@@ -73,20 +73,25 @@ impl Medium {
         s * s * s * (6.0 * s * s - 15.0 * s + 10.0)
     }
 
+    /// The water at `position`, of the state, and `time`, s, without waves.
+    pub fn still(&self, position: &Vec3, time: f64) -> Seen {
+        let velocity = self.current.at(position.z + self.origin.z, time) * self.share(time);
+        Seen { flow: Flow { velocity, acceleration: Vec3::zeros() }, height: self.surface - self.origin.z }
+    }
+
     /// The water at `position`, of the state, and `time`, s.
     pub fn seen(&self, position: &Vec3, time: f64) -> Seen {
-        let [x, y, z] = (position + self.origin).into();
-        let share = self.share(time);
-        let still = Flow { velocity: self.current.at(z, time), acceleration: Vec3::zeros() };
-        let (mut flow, mut elevation) = (still, 0.0);
+        let mut seen = self.still(position, time);
         if self.has_waves() {
-            elevation = share * self.waves.elevation(x, y, time);
+            let [x, y, z] = (position + self.origin).into();
+            let share = self.share(time);
+            let elevation = share * self.waves.elevation(x, y, time);
             let waves = self.waves.flow([x, y, z - self.surface], time, self.depth, elevation);
-            flow.velocity += waves.velocity;
-            flow.acceleration += waves.acceleration;
+            seen.flow.velocity += waves.velocity * share;
+            seen.flow.acceleration += waves.acceleration * share;
+            seen.height += elevation;
         }
-        let flow = Flow { velocity: flow.velocity * share, acceleration: flow.acceleration * share };
-        Seen { flow, height: self.surface + elevation - self.origin.z }
+        seen
     }
 
     /// The motion at `position`, of the state, and `time`, s.

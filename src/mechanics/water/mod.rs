@@ -30,10 +30,10 @@ pub struct Wetted {
 }
 
 impl Water {
-    /// What acts on the element with this number; none: nothing.
+    /// The element with this number; none: it is dry.
     pub fn of(&self, element: usize) -> Option<&Wetted> {
-        let place = self.wetted.binary_search_by_key(&element, |own| own.element).ok()?;
-        Some(&self.wetted[place])
+        let index = self.wetted.binary_search_by_key(&element, |own| own.element).ok()?;
+        Some(&self.wetted[index])
     }
 
     /// Whether forces of the water derive from no potential: a current, or waves, that drag an element along.

@@ -46,8 +46,8 @@ pub fn components(height: f64, peak_period: f64, peakedness: f64, count: usize, 
     let (mut random, amplitude) = (SplitMix(seed), height * (0.125 / count as f64).sqrt());
     let component = |number: usize| {
         let energy = whole * (number as f64 + random.next()) / count as f64;
-        let place = list.partition_point(|[_, sum]| *sum <= energy).clamp(1, INTERVALS);
-        let [[first, below], [last, above]] = [list[place - 1], list[place]];
+        let index = list.partition_point(|[_, sum]| *sum <= energy).clamp(1, INTERVALS);
+        let [[first, below], [last, above]] = [list[index - 1], list[index]];
         let ratio = first + (last - first) * (energy - below) / (above - below).max(f64::MIN_POSITIVE);
         [amplitude, TAU * ratio / peak_period, TAU * random.next()]
     };

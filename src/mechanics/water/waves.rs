@@ -7,7 +7,7 @@
 use super::flow::Flow;
 use crate::math::Vec3;
 
-/// What the theory of small waves says above still water, where it has no water.
+/// The flow above still water, where the theory of small waves has no water.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Stretching {
     /// The same formulas.
@@ -35,7 +35,7 @@ pub struct Component {
 }
 
 impl Component {
-    /// `θ` at this place and time.
+    /// `θ` at this point and time.
     fn angle(&self, x: f64, y: f64, time: f64) -> f64 {
         let [along_x, along_y] = self.direction;
         self.number * (x * along_x + y * along_y) - self.frequency * time + self.phase
@@ -52,7 +52,7 @@ pub struct Waves {
 }
 
 impl Waves {
-    /// The elevation above still water at a place and time, m.
+    /// The elevation above still water at a point and time, m.
     pub fn elevation(&self, x: f64, y: f64, time: f64) -> f64 {
         self.components.iter().fold(0.0, |sum, own| sum + own.amplitude * own.angle(x, y, time).cos())
     }

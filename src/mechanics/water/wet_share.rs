@@ -3,21 +3,21 @@
 //! A section across the unit tangent `t` whose axis is `d` above the surface is cut at the distance `d/c`,
 //! `c = √(1 − t_z²)`, from its middle: it is dry from `d = R c` on, wet from `d = −R c` on, and a segment of the circle
 //! is wet between. Where the axis crosses the surface steeply, that range is short: quadrature with points at fixed
-//! places would see forces jump. The range is a part of the element of its own, with a rule of its own.
+//! positions would see forces jump. The range is a part of the element of its own, with a rule of its own.
 
 use crate::math::quadrature::{FOUR_POINTS, FOUR_WEIGHTS};
 use std::f64::consts::PI;
 
 /// Least `c`: the surface cuts a vertical beam along a line as thin as this times its radius.
 const LEAST_SINE: f64 = 1e-3;
-/// Places at which crossings are looked for: the points of the rule, and both ends.
+/// Positions at which crossings are looked for: the points of the rule, and both ends.
 const LOOKED_AT: [f64; 6] = [0.0, FOUR_POINTS[0], FOUR_POINTS[1], FOUR_POINTS[2], FOUR_POINTS[3], 1.0];
 /// Most crossings that a cubic curve has: three with each limit of the range, and both ends.
 const MOST_PARTS: usize = 8;
 /// Halvings of the interval that has a crossing: more than a double has digits.
 const HALVINGS: usize = 54;
 
-/// The axis at a place of an element.
+/// The axis at a position in an element.
 #[derive(Clone, Copy, Debug)]
 pub struct AxisPoint {
     /// Height above the surface, m.
@@ -105,7 +105,7 @@ pub fn each_wet_point(end: f64, axis: impl Fn(f64) -> AxisPoint, mut take: impl 
     }
 }
 
-/// Where `is_first` ends between two places.
+/// Where `is_first` ends between two positions.
 fn crossing([mut from, mut to]: [f64; 2], is_first: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (from + to);
@@ -128,7 +128,7 @@ mod tests {
         sum
     }
 
-    /// What is wet of a straight beam is as long as the axis below the surface, steep or flat, by symmetry; the
+    /// The wet part of a straight beam is as long as the axis below the surface, steep or flat, by symmetry; the
     /// tolerance is that of the rule for the circular segment.
     #[test]
     fn wet_lengths() {

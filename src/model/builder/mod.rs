@@ -169,7 +169,7 @@ struct Builder<'a> {
     system: SystemBuilder,
     /// What only the start time shows to be wrong.
     mistakes: Vec<Diagnostic>,
-    /// The switches of joints, by their places in the file; none: the joint always holds.
+    /// The switches of joints, by their indices in the file; none: the joint always holds.
     joint_switches: Vec<Option<usize>>,
 }
 

@@ -8,7 +8,7 @@ use crate::model::expression::function::{Formula, Function};
 use crate::model::expression::program::Undefined;
 use crate::model::text::diagnostic::{Place, Report};
 
-/// A number of the file: its place in the flat list.
+/// A number of the file: its index in the flat list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Number(pub(in crate::model) usize);
 

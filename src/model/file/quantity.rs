@@ -8,7 +8,7 @@ use crate::model::text::names::Kind;
 pub enum Quantity {
     /// Place in global axes.
     Position,
-    /// Place minus the place as drawn, global axes.
+    /// Position minus that as drawn, global axes.
     Displacement,
     /// Velocity in global axes.
     Velocity,

@@ -19,9 +19,9 @@ use std::sync::Arc;
 
 /// Cosine of the sharpest corner of a polyline: one degree from going back.
 const SHARPEST_COSINE: f64 = -0.999_847_7;
-/// How near two places must be to be one, of the length of all: their round-off.
+/// How near two positions must be to be one, of the length of all: their round-off.
 const SAME_PLACE: f64 = 1e-12;
-/// A difference of places on a curve that is none in a message, of its whole range.
+/// A difference of positions on a curve that is none in a message, of its whole range.
 const NOTHING: f64 = 1e-6;
 /// More elements than this are not proposed.
 pub const MOST_PROPOSED: usize = 10_000;
@@ -150,7 +150,7 @@ fn straight(document: &Document, beam: &BeamSpec, ends: [[Number; 3]; 2], elemen
 fn laid(
     document: &Document,
     beam: &BeamSpec,
-    (ends, length, place): ([[Number; 3]; 2], Number, Place),
+    (ends, length, written): ([[Number; 3]; 2], Number, Place),
     elements: usize,
 ) -> Drawn {
     let [Some(from), Some(to)] = ends.map(|end| vector(document, end)) else { return Ok(None) };
@@ -192,7 +192,7 @@ fn laid(
                     "make it shorter, or move its ends apart",
                 ),
             };
-            return mistake(document, place, &message, &label, help);
+            return mistake(document, written, &message, &label, help);
         }
     };
     let along = Vec3::new(span.x, span.y, 0.0) / distance;
@@ -207,7 +207,7 @@ fn laid(
     });
     let curve = Curve::new(coordinates, [0.0, arc], found.limits());
     let shape = Shape::Expressions { coordinates: ends[0], range: [length; 2] };
-    let written = CurveSpec { place, shape, polyline: false, spacing: Spacing::Arc };
+    let written = CurveSpec { place: written, shape, polyline: false, spacing: Spacing::Arc };
     smooth(document, beam, &written, &curve, elements)
 }
 

@@ -1,4 +1,4 @@
-//! Sections of the file as integrals, at one place or along a beam.
+//! Sections of the file as integrals, at one position or along a beam.
 
 use crate::mechanics::beam::centerline::Centerline;
 use crate::mechanics::beam::material::Material;

@@ -120,7 +120,7 @@ pub struct Named {
     pub name: String,
     /// What it is.
     pub kind: Kind,
-    /// Its place among those of its kind, in file order.
+    /// Its index among those of its kind, in file order.
     pub index: usize,
     /// Where the name is given.
     pub place: Place,
@@ -183,7 +183,7 @@ impl Names {
         self.unclear.iter().any(|unclear| unclear == name) || self.has_nameless && self.called(name).next().is_none()
     }
 
-    /// The name of a thing by its place among its kind.
+    /// The name of a thing by its index among its kind.
     pub fn name(&self, kind: Kind, index: usize) -> Option<&str> {
         self.list.iter().find(|named| named.kind == kind && named.index == index).map(|named| named.name.as_str())
     }

@@ -66,7 +66,8 @@ impl Checker<'_> {
         let is_zero = self.document.function(along).is_constant() && self.document.value(along) == 0.0;
         if immersion.drag_area.is_none() && !is_zero {
             let message = format!("section {} has a drag along the beam without its area", section.name);
-            let help = "drag_area = \"diameter\" counts D per length (DNV's values for chains), and drag_area = \"circumference\" pi D (MoorDyn, OrcaFlex)";
+            let help = "drag_area = \"diameter\" counts D per length (DNV's values for chains), and \
+                        drag_area = \"circumference\" pi D (MoorDyn, OrcaFlex)";
             self.mistake(self.document.place(along), &message, "`drag_area` is missing", help);
         }
     }

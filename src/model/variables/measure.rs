@@ -12,8 +12,8 @@ pub enum Measure {
     Sensors(Range<usize>, Quantity),
     /// What a moving frame must supply, by its number.
     Frame(usize, Quantity),
-    /// A quantity of a connection, by its kind and its place among that kind. Friction and stops are springs, by
-    /// their places in the system: they are built in the order of the file, one kind after the other.
+    /// A quantity of a connection, by its kind and its index among that kind. Friction and stops are springs, by
+    /// their indices in the system: they are built in the order of the file, one kind after the other.
     Connection(Kind, usize, Quantity),
     /// A quantity of a whole beam or body.
     Whole(Part, Quantity),

@@ -107,7 +107,7 @@ fn push_of_water(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, numb
             values.extend(flow.iter());
         }
         _ => {
-            let drag = sensor.in_element().and_then(|place| system.drag_at(place, c, &state.velocity, time));
+            let drag = sensor.in_element().and_then(|point| system.drag_at(point, c, &state.velocity, time));
             values.extend(drag.unwrap_or_else(Vec3::zeros).iter());
         }
     }

@@ -31,7 +31,7 @@ use std::ops::Range;
 pub enum Source {
     /// Parameter of this number in the file.
     Parameter(usize),
-    /// Input of this place among the inputs.
+    /// Input of this index among the inputs.
     Input(usize),
     /// Result of this number.
     Result(usize),
@@ -43,7 +43,7 @@ const UNSTABLE_MOTIONS: &str = "path.unstable_motions";
 /// The variable table, and where each row's value comes from.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// The rows; a variable's value reference is its place.
+    /// The rows; a variable's value reference is its index.
     pub variables: Vec<Variable>,
     /// Sources of the rows.
     pub sources: Vec<Source>,
@@ -52,7 +52,7 @@ pub struct Table {
     pub measures: Vec<Measure>,
     /// Name and unit of each result.
     pub results: Vec<(String, String)>,
-    /// The measures of forces and moments that a moving observer sees, by their places in the list, with the sensor
+    /// The measures of forces and moments that a moving observer sees, by their indices in the list, with the sensor
     /// that the observer looks at.
     seen: Vec<(usize, usize)>,
     /// The first spring of the system that belongs to a joint: those before it are the springs, friction and stops of

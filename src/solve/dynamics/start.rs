@@ -41,7 +41,7 @@ pub trait Dynamics {
     /// Its linear system.
     fn kkt(&mut self) -> &mut Kkt;
 
-    /// Sets what it keeps in `state` beside place and motion, which are set: nothing.
+    /// Sets what it keeps in `state` besides position and motion, which are set: nothing.
     ///
     /// # Errors
     /// The constraints are redundant.

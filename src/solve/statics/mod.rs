@@ -10,6 +10,7 @@ mod holding;
 mod jump;
 mod linearized;
 pub mod path;
+mod ramp;
 mod relaxation;
 pub mod stability;
 mod switching;
@@ -28,15 +29,9 @@ use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::newton::{self, Convergence, Goal, MOST_ITERATIONS, Problem};
 use crate::solve::step::integrator::Integrator;
-use crate::solve::step::limits;
 
 /// Largest turn of a tangent in an increment, rad: `1 + t_r·t < 0.1` (MECHANICS 2.6).
 const LARGEST_TURN: f64 = 2.69;
-/// The ramp gives up when its increment falls below this share.
-const SMALLEST_SHARE: f64 = 1.0 / 4096.0;
-/// An increment that took at most this many iterations may grow.
-const EASY: usize = 6;
-
 /// Equilibrium solver and its scratch memory; no result depends on what outlives a solve, but remarks do.
 #[derive(Debug)]
 pub struct Statics {
@@ -332,74 +327,6 @@ impl Statics {
         Equilibrium::near(system, state, time, given, &mut self.scratch).linearize(&mut self.kkt, &mut self.right);
         self.kkt.factorize(system, time)?;
         self.kkt.check_unique(system, time)
-    }
-
-    fn ramp(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
-        system.excite(time, &state.targets, &mut self.target);
-        system.prescribe(state, time, &mut self.target_motion);
-        self.begin.clone_from(state);
-        let (mut share, mut increment) = (0.0, 1.0);
-        while share < 1.0 {
-            let next = f64::min(share + increment, 1.0);
-            self.current.set_between(&state.excitation, &self.target, next);
-            match self.move_to(system, next, share, time).and_then(|()| self.solve(system, state, time)) {
-                Ok(()) => {
-                    share = next;
-                    if self.convergence.is_some_and(|convergence| convergence.iterations <= EASY) {
-                        increment *= 2.0;
-                    }
-                }
-                // Smaller increments do not help against these; an iteration that runs away is another matter.
-                Err(reason @ Error::NotFinite { .. }) if system.undefined(time).is_some() => return Err(reason),
-                Err(reason) if self.holding.is_hopeless => return Err(reason),
-                Err(reason) => {
-                    state.statistics.rejected += 1;
-                    increment = 0.5 * f64::min(increment, 1.0 - share);
-                    if increment < SMALLEST_SHARE {
-                        // Not even under a trace of the loads: it is no matter of them.
-                        if share == 0.0 {
-                            if matches!(reason, Error::Singular { .. }) {
-                                return Err(reason);
-                            }
-                            self.examine(system, state, time)?;
-                        }
-                        // The equilibrium that the ramp began with: the state is the iterate that led nowhere.
-                        let doubt = system.doubt_of_strain(&self.scratch.frames.of(system, &self.begin));
-                        return Err(Error::RampStuck { time, share, doubt, reason: Box::new(reason) });
-                    }
-                }
-            }
-        }
-        self.arrive(state);
-        Ok(())
-    }
-
-    /// Sets the current motion to where drives and frames are at `share` of the way, coming from `last`.
-    ///
-    /// # Errors
-    /// A frame turns too far at once.
-    fn move_to(&mut self, system: &System, share: f64, last: f64, time: f64) -> Result<(), Error> {
-        let begin = &self.begin;
-        let way = time - begin.time;
-        if way > 0.0 {
-            // Along their own way: the shortest one would lose turns.
-            system.prescribe(begin, begin.time + share * way, &mut self.current_motion);
-            limits::check_frames(system, begin, &self.current_motion, (share - last) * way, time)?;
-            if share == 1.0 {
-                self.current_motion.copy_from(&self.target_motion);
-            }
-            self.current_motion.stop();
-        } else {
-            self.current_motion.set_between(&begin.prescribed, &self.target_motion, share);
-        }
-        Ok(())
-    }
-
-    /// The whole excitation is reached.
-    fn arrive(&self, state: &mut State) {
-        state.excitation.copy_from(&self.target);
-        // The rates of drives are where a host's next rates start from.
-        state.prescribed.drives.clone_from(&self.target_motion.drives);
     }
 
     /// Solves for the equilibrium under the current excitation from `state` and writes it there, references carried on.

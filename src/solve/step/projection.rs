@@ -112,7 +112,7 @@ impl Projection {
         }
     }
 
-    /// For a change of velocities at once, from those of the state: the water around beams takes part in it.
+    /// One for a change of velocities at once, from those of the state: the water around beams takes part in it.
     pub fn of_impact(system: &System) -> Self {
         Self { is_wet: system.is_in_water(), ..Self::once(system) }
     }

@@ -6,29 +6,30 @@ use crate::running::{run, start, value};
 /// Force along x and moment about y at the bed on a fixed pile of 1 m in 20 m of water, in a wave of 2 m and 10 s: as
 /// the crest passes, and a quarter of a period later.
 fn pile(keys: &str) -> [[f64; 2]; 2] {
-    let text = water(9.81, 1025.0, 0.0, "depth = 20\nstretching = \"none\"")
+    let text = water(9.81, 1025.0, 0.0, "depth = 20\nstretching = \"none\"\nramp = 5")
         + "[wave.swell]\ntype = \"airy\"\nheight = 2\nperiod = 10\n"
-        + &section([1e12, 1e13], 1000.0, 1.0, keys)
+        + &section([1e12, 1e11], 1000.0, 1.0, &format!("{keys}\ndamping = 0.002"))
         + "[beam.pile]\nsection = \"round\"\nfrom = [0, 0, -20]\nto = [0, 0, 0]\nelements = 12\n\
            [joint.bed]\ntype = \"weld\"\na = \"ground\"\nb = \"pile.start\"\n\
            [output.bed]\nat = \"bed\"\nquantities = [\"reaction_force\", \"reaction_moment\"]\n\
-           [simulation]\nanalysis = \"static\"\nstop = 2.5\nstep = 0.5\n";
+           [simulation]\ninitial = \"equilibrium\"\nstop = 12.5\nstep = 0.0125\n";
     let mut simulation = start(&text);
     let loads =
         |simulation: &_| ["bed.reaction_force[1]", "bed.reaction_moment[2]"].map(|name| value(simulation, name).abs());
-    let crest = loads(&simulation);
-    run(&mut simulation, 2.5, 2.5, |_| {});
-    [crest, loads(&simulation)]
+    let mut found = [[0.0; 2]; 2];
+    run(&mut simulation, 2.5, 12.5, |simulation| found = [found[1], loads(simulation)]);
+    found
 }
 
 /// The inertia of the wave is largest where its surface is at still water: 12,264.743 N, and 132,564.01 N m about the
-/// bed. It has the force of Froude and Krylov and that of the added mass; the pile stands still in statics.
+/// bed. It has the force of Froude and Krylov and that of the added mass; the pile is so stiff that its own
+/// motion is a millionth of it.
 #[test]
 fn inertia_of_a_pile() {
     let [crest, later] = pile("added_mass = [1, 0]");
     println!("{later:?}");
-    assert!(crest[0].abs() < 1e-6 * later[0]);
-    assert!((later[0] / 12_264.743 - 1.0).abs() < 1e-5 && (later[1] / 132_564.01 - 1.0).abs() < 1e-5);
+    assert!(crest[0].abs() < 1e-4 * later[0]);
+    assert!((later[0] / 12_264.743 - 1.0).abs() < 2e-4 && (later[1] / 132_564.01 - 1.0).abs() < 2e-4);
 }
 
 /// The drag of the wave is largest as its crest passes: 3,846.082 N up to still water.
@@ -36,7 +37,7 @@ fn inertia_of_a_pile() {
 fn drag_of_a_pile() {
     let [crest, _] = pile("drag = [1, 0]");
     println!("{crest:?}");
-    assert!((crest[0] / 3_846.082 - 1.0).abs() < 1e-5);
+    assert!((crest[0] / 3_846.082 - 1.0).abs() < 2e-4);
 }
 
 /// Waves are what their formulas say, behind their ramp, along their direction and at Wheeler's height.

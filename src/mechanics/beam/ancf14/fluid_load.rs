@@ -38,13 +38,16 @@ pub struct Surroundings<'a> {
     pub share: f64,
     /// The water at the four points of the rule, where it is looked at once a step.
     pub seen: Option<&'a [Seen; 4]>,
+    /// Whether it has no waves: in equilibria.
+    pub is_still: bool,
 }
 
 impl Surroundings<'_> {
-    /// The height of the surface at the place `xi` of an element, which is at `position`.
+    /// The height of the surface at `xi` in an element, which is at `position`.
     fn height(&self, xi: f64, position: &Vec3) -> f64 {
         match self.seen {
             Some(points) => points.iter().zip(cubic(xi)).map(|(own, weight)| own.height * weight).sum(),
+            None if self.is_still => self.medium.still(position, self.time).height,
             None => self.medium.height(position, self.time),
         }
     }
@@ -53,6 +56,7 @@ impl Surroundings<'_> {
     fn flow(&self, xi: f64, position: &Vec3) -> Flow {
         match self.seen {
             Some(points) => Seen::between(points, &cubic(xi)).flow,
+            None if self.is_still => self.medium.still(position, self.time).flow,
             None => self.medium.flow(position, self.time),
         }
     }
@@ -74,7 +78,7 @@ pub struct Moving {
     acceleration: Shapes,
 }
 
-/// What the derivative of the forces with respect to the coordinates counts velocities and accelerations with, 1/s and
+/// Factors of velocities and accelerations in the derivative of the forces with respect to the coordinates, 1/s and
 /// 1/s².
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ByCoordinates {
@@ -123,7 +127,7 @@ impl Moving {
         Self { q, velocity, acceleration }
     }
 
-    /// At rest.
+    /// The same at rest.
     pub fn at_rest(element: &Element, q: &[f64]) -> Self {
         let none = [Vec3::zeros(); 4];
         Self { q: shapes(element.own(q)), velocity: none, acceleration: none }
@@ -251,12 +255,11 @@ impl Element {
         each_wet_point(end, axis, |wet| take(&self.water_at(water, moving, wet)));
     }
 
-    /// Adds `factor` times the generalized force of the water to `forces`, those of the system.
+    /// Adds `factor` times the generalized force of the water to `forces`, its own.
     pub fn add_water(&self, water: &Surroundings, moving: &Moving, factor: f64, forces: &mut [f64]) {
-        let own = &mut forces[self.coordinates_of_nodes()];
         self.each_wet(water, moving, 1.0, |at| {
             let force = at.force(water) * (factor * at.length * at.wet.share);
-            add_spread(&at.shape, &force, own);
+            add_spread(&at.shape, &force, forces);
         });
     }
 
@@ -270,10 +273,9 @@ impl Element {
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        let own = &mut forces[self.coordinates_of_nodes()];
         self.each_wet(water, moving, 1.0, |at| {
             let whole = at.force(water);
-            add_spread(&at.shape, &(whole * (factor * at.length * at.wet.share)), own);
+            add_spread(&at.shape, &(whole * (factor * at.length * at.wet.share)), forces);
             let mut by_place = at.force_v(water) * by.velocity - at.added_mass() * by.acceleration;
             by_place.set_column(2, &(by_place.column(2) + whole * at.wet.share_z));
             let scale = scale * at.length;
@@ -293,7 +295,7 @@ impl Element {
         });
     }
 
-    /// Adds the product of the added mass matrix with `vector` to `product`, both of the system; returns
+    /// Adds the product of the added mass matrix with `vector` to `product`, its own of the system's; returns
     /// `vectorᵀ M_a vector`.
     pub fn add_added_mass_times(
         &self,
@@ -302,12 +304,12 @@ impl Element {
         vector: &[f64],
         product: &mut [f64],
     ) -> f64 {
-        let (vector, own, mut form) = (shapes(self.own(vector)), &mut product[self.coordinates_of_nodes()], 0.0);
+        let (vector, mut form) = (shapes(self.own(vector)), 0.0);
         self.each_wet(water, moving, 1.0, |at| {
             let value = weighted(&at.shape, &vector);
             let momentum = at.added_mass() * value * at.length;
             form += momentum.dot(&value);
-            add_spread(&at.shape, &momentum, own);
+            add_spread(&at.shape, &momentum, product);
         });
         form
     }
@@ -332,11 +334,6 @@ impl Element {
     pub fn drag_at(&self, water: &Surroundings, moving: &Moving, xi: f64) -> Vec3 {
         let (share, share_z) = self.axis_in_water(water, moving, xi).share();
         self.water_at(water, moving, WetPoint { xi, weight: 0.0, share, share_z }).drag()
-    }
-
-    /// Where its coordinates are.
-    fn coordinates_of_nodes(&self) -> std::ops::Range<usize> {
-        self.place.start..self.place.start + ELEMENT
     }
 }
 

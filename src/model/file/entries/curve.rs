@@ -69,7 +69,7 @@ pub enum Shape {
 
 /// The words of `spacing`.
 pub(super) const SPACINGS: [(&str, Spacing); 2] = [("arc", Spacing::Arc), ("s", Spacing::Parameter)];
-/// What the lay of a line looks like.
+/// The lay of a line in a message.
 const LAY: &str = "{ length = 410 }";
 /// What a curve looks like.
 const FORMS: &str = "{ x = .., y = .., z = .., s = [0, 1] } or { points = [[0, 0, 0], ..] }";

@@ -15,7 +15,7 @@ pub(super) const ADDED_MASS: Rule =
 pub(super) const CONTENTS_DENSITY: Rule =
     Rule::new("contents_density", "density of what fills the tube", "kg/m3").from(0.0).along_beam();
 
-/// What the drag along a beam counts as its area per length.
+/// The area per length of the drag along a beam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DragArea {
     /// The diameter.

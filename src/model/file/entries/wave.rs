@@ -57,11 +57,11 @@ pub struct WaveSpec {
     pub place: Place,
     /// Direction in which it travels, rad.
     pub direction: Number,
-    /// What it consists of.
+    /// Its components.
     pub sea: Sea,
 }
 
-/// What waves consist of.
+/// The components of waves.
 #[derive(Clone, Copy, Debug)]
 pub enum Sea {
     /// One component.

@@ -20,7 +20,8 @@ fn without_stiffness(document: &Document, lines: &Lines, number: usize, beam: &B
     let least = sections::least_rigidity(document, beam, lines.line(number)?);
     let none = [y, z, torsion].into_iter().find(|own| document.value(*own) == 0.0).filter(|_| least > 0.0)?;
     let text = format!(
-        "is 0: beam {} is computed with {} N m2 in its place, 1e-7 of its weight times the square of its longest element",
+        "is 0: beam {} is computed with {} N m2, 1e-7 of its weight times the square of \
+         its longest element",
         beam.name,
         shown(least)
     );
@@ -35,7 +36,8 @@ fn without_drag(document: &Document, beam: &BeamSpec) -> Option<Note> {
     (diameter > 0.0 && !is_dragged).then(|| Note {
         place: beam.place,
         text: format!(
-            "beam {} is in water, and its section {} has no `drag` and no `added_mass`: the water carries it and does not slow it. Give both; 1.2 and 1 are usual across a cylinder, and 0 leaves them out",
+            "beam {} is in water, and its section {} has no `drag` and no `added_mass`: the water \
+             carries it and does not slow it. Give both; 1.2 and 1 are usual across a cylinder, and 0 leaves them out",
             beam.name, section.name
         ),
     })
