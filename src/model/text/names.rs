@@ -34,7 +34,7 @@ pub enum Kind {
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 20] = [
+pub const SECTIONS: [(&str, Kind); 21] = [
     ("function", Kind::Function),
     ("material", Kind::Material),
     ("section", Kind::Section),
