@@ -61,7 +61,7 @@ fn distance(system: &System, state: &State, response: &Response) -> Result<f64, 
     let stiffness = linearize(system, state, &response.multipliers, &mut kkt).symmetric_part();
     let mut cache = FrameCache::default();
     cache.set(system, &state.q, &state.triads);
-    let mass = MassAt::new(&state.prescribed.drives, &cache);
+    let mass = MassAt::new(&state.prescribed.drives, &cache).wet(&state.q, state.time);
     let shift = first_shift(system, mass, &stiffness);
     let shift = if shift > 0.0 { shift } else { 1.0 };
     positive_shift(system, mass, &mut kkt, &stiffness, shift, state.time)?;

@@ -99,7 +99,8 @@ impl Linearization {
             differences::push(system, base, [&mut by_q, &mut by_spin, &mut rates_by_q]);
         }
         let mut kkt = Kkt::for_projections(system);
-        system.add_mass(mass, 1.0, &mut kkt.blocks);
+        // Water moves with beams that are accelerated.
+        system.add_mass(mass.wet(&state.q, state.time), 1.0, &mut kkt.blocks);
         kkt.set_constraints(system, &gradients, &gradients, 1.0);
         kkt.factorize(system, state.time)?;
         let turning = gyroscopic::chart_rates(system, &cache, &state.velocity);

@@ -122,7 +122,9 @@ impl Stillness {
     /// Whether a motion of this shape, with a pole of this size, is one that nothing holds.
     fn is_rigid(&self, system: &System, size: f64, shape: &[f64]) -> bool {
         let mut momentum = vec![0.0; shape.len()];
-        system.mass_times(MassAt::new(&self.base.state.prescribed.drives, &self.frames), shape, &mut momentum);
+        let state = &self.base.state;
+        let mass = MassAt::new(&state.prescribed.drives, &self.frames).wet(&state.q, state.time);
+        system.mass_times(mass, shape, &mut momentum);
         let mass = dot(shape, &momentum);
         mass > 0.0 && size * size <= MARGIN * ROUND_OFF * self.stiffness.magnitude(shape) / mass
     }
