@@ -61,8 +61,8 @@ t = decimal(*.time)
     },
     /// A beam has run through a convex surface.
     #[error(
-        "element {element} of {beam} ran through the surface {surface} (radius {radius:.3} m) in the step to t = {t} s; try a smaller \
-         step, or a stiffer contact",
+        "element {element} of {beam} ran through surface {surface} (radius {radius:.3} m) in the step to t = {t} s; \
+         try a smaller step, or a stiffer contact",
 t = decimal(*.time)
 )]
     RunThrough {

@@ -33,7 +33,7 @@ impl Blocks {
         self.layout.len() - 1
     }
 
-    /// Adds a block of zeros, and behind it the place of its transpose, whose values are others:
+    /// Adds a block of zeros, and behind it the position of its transpose, whose values are others:
     /// [`Self::symmetric_part`] takes the mean of both.
     pub fn push_mirrored(&mut self, block: Block) {
         let Block { row, column, rows, columns } = block;

@@ -13,7 +13,7 @@ use super::integral::Integral;
 pub enum CurveDefect {
     /// The whole is a single point.
     NoLength,
-    /// Place or derivatives are not finite numbers.
+    /// Position or derivatives are not finite numbers.
     NotFinite {
         /// Where.
         s: f64,
@@ -70,7 +70,7 @@ const SAMPLES: usize = 16;
 const MEASURE: f64 = 1e-6;
 /// Length that may be unknown, of the whole.
 const UNKNOWN: f64 = 1e-6;
-/// Halvings until a place is known to the last digit.
+/// Halvings until a position is known to the last digit.
 const HALVINGS: usize = 60;
 
 /// What keeps the curve from having a length; without such a defect its nodes can be found.

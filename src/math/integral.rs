@@ -1,7 +1,7 @@
 //! Integrals to round-off: Gauss' and Kronrod's rules of 7 and 15 points on intervals that are halved where the two
 //! differ.
 
-/// Places of Kronrod's 15 points in [-1, 1], from the outermost to the middle; every second one is Gauss'.
+/// Positions of Kronrod's 15 points in [-1, 1], from the outermost to the middle; every second one is Gauss'.
 const PLACES: [f64; 8] = [
     0.991_455_371_120_812_6,
     0.949_107_912_342_758_5,
@@ -23,10 +23,10 @@ const KRONROD: [f64; 8] = [
     0.204_432_940_075_298_9,
     0.209_482_141_084_727_82,
 ];
-/// Gauss' weights, of every second place.
+/// Gauss' weights, of every second position.
 const GAUSS: [f64; 4] =
     [0.129_484_966_168_869_7, 0.279_705_391_489_276_67, 0.381_830_050_505_118_9, 0.417_959_183_673_469_4];
-/// For every place, what the values at minus it and at it add to the polynomial through all 15 values at 1.
+/// For every position, what the values at minus it and at it add to the polynomial through all 15 values at 1.
 const AT_END: [[f64; 2]; 8] = [
     [0.006_238_528_645_340_283, 1.453_983_731_103_312_4],
     [-0.018_451_577_046_963_43, -0.706_673_993_404_573_8],
@@ -37,7 +37,7 @@ const AT_END: [[f64; 2]; 8] = [
     [0.091_687_296_848_570_96, 0.139_783_431_782_908_36],
     [-0.112_929_172_918_981_48, 0.0],
 ];
-/// How much of half an interval lies between its outermost place and its end, where the rules see nothing.
+/// How much of half an interval lies between its outermost position and its end, where the rules see nothing.
 const UNSEEN: f64 = 1.0 - PLACES[0];
 /// Intervals at most: more than a jump on every side needs; what oscillates faster than that is not resolved by any
 /// step.

@@ -9,7 +9,7 @@ use super::jet::Jet;
 use std::sync::Arc;
 
 /// The spline; its parameter is the chord length from the first point, m. Two points or more, no two neighbors at one
-/// place.
+/// position.
 pub fn through(points: &[Vec3]) -> Curve {
     let mut knots = vec![0.0];
     for pair in points.windows(2) {

@@ -1,7 +1,7 @@
 //! The line of a beam as drawn: its nodes with exact tangents and arc lengths, and how a section without pretwist turns
 //! along it.
 //!
-//! Straight, along a curve, or in straight pieces. At a corner two pieces end in a node each, at one place.
+//! Straight, along a curve, or in straight pieces. At a corner two pieces end in a node each, at one position.
 
 use super::division::Division;
 use crate::math::curve::Curve;
@@ -11,7 +11,7 @@ use crate::math::{Vec3, bishop, hermite};
 /// A node as drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Station {
-    /// Its place, global, m.
+    /// Its position, global, m.
     pub place: Vec3,
     /// Unit tangent, the node's slope.
     pub tangent: Vec3,
@@ -142,7 +142,7 @@ impl Centerline {
         (1..self.spans.len()).filter(|end| self.spans[*end].node > self.spans[end - 1].node + 1).collect()
     }
 
-    /// The place at a fraction of the arc length, as the elements interpolate it, m.
+    /// The position at a fraction of the arc length, as the elements interpolate it, m.
     pub fn place(&self, fraction: f64) -> Vec3 {
         let (element, xi) = self.division.place(fraction);
         self.point(&self.spans[element], xi)
@@ -199,7 +199,7 @@ mod tests {
         assert_eq!(shares(&many, 1000).iter().sum::<usize>(), 1000);
     }
 
-    /// A corner has two nodes at one place; fractions go on over it.
+    /// A corner has two nodes at one position; fractions go on over it.
     #[test]
     fn corners_have_two_nodes() {
         let line = Centerline::polyline(&[Vec3::zeros(), Vec3::x(), Vec3::new(1.0, 3.0, 0.0)], &[1, 2]);

@@ -1,6 +1,6 @@
 //! Where the ends of a beam's elements are, in fractions of its undeformed arc length.
 
-/// How near to a node a place of a beam must be to be that node, in elements.
+/// How near to a node a position of a beam must be to be that node, in elements.
 const AT_NODE: f64 = 1e-9;
 
 /// How a beam is divided into elements. Ends of elements are counted from 0 at its start.
@@ -40,7 +40,7 @@ impl Division {
         }
     }
 
-    /// The element that holds a fraction, 0 to 1, and the place in it, 0 to 1.
+    /// The element that holds a fraction, 0 to 1, and the position in it, 0 to 1.
     pub fn place(&self, fraction: f64) -> (usize, f64) {
         match self {
             Self::Equal(count) => {

@@ -157,7 +157,7 @@ pub trait BeamElement {
     /// and weight.
     fn balance(&self, c: &BeamConfiguration, instant: &Instant, inside: &ElementForces) -> Balance;
 
-    /// Places (0 to 1) with shares of the length (m) at which a load per length acts.
+    /// Positions (0 to 1) with shares of the length (m) at which a load per length acts.
     fn load_points(&self) -> [(f64, f64); LOAD_POINTS];
 
     /// Generalized force of a load along the whole element, in its own coordinates.
@@ -173,7 +173,7 @@ pub trait BeamElement {
     fn section_jacobian(&self, c: &BeamConfiguration, xi: f64) -> MarkerJacobian;
 
     /// Adds `∂(turn_qᵀ m)/∂q` of [`Self::section_jacobian`] at a moment (N m) frozen in space to `sum`; a force has
-    /// none, places are linear in q.
+    /// none, positions are linear in q.
     fn add_section_moment_stiffness(&self, c: &BeamConfiguration, xi: f64, moment: &Vec3, sum: &mut MarkerMatrix);
 
     /// Turn of the section about its tangent from [`Self::section_pose`] to what the strains make of it, rad, for

@@ -11,17 +11,17 @@ use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerJacobian,
 use crate::mechanics::geometry::pose::Pose;
 use std::ops::Range;
 
-/// A node of a beam. Its first three coordinates are its place, the next three its slope.
+/// A node of a beam. Its first three coordinates are its position, the next three its slope.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Node {
-    /// Of ANCF14: place, slope, twist about it.
+    /// Of ANCF14: position, slope, twist about it.
     Ancf14 {
         /// First coordinate.
         start: usize,
         /// Number of its frame, which is carried in time.
         frame: usize,
     },
-    /// Of ANCF24: place and three gradients.
+    /// Of ANCF24: position and three gradients.
     Ancf24 {
         /// First coordinate.
         start: usize,
@@ -47,7 +47,7 @@ impl Node {
         vec3(q, self.coordinates().start + ancf14::P)
     }
 
-    /// Place and section axes.
+    /// Position and section axes.
     pub fn pose(&self, c: &BeamConfiguration) -> Pose {
         let axes = match *self {
             Self::Ancf14 { frame, .. } => c.frames[frame].section(),

@@ -1,4 +1,4 @@
-//! Spherical joint: places coincide, all turns are free. 3 conditions.
+//! Spherical joint: positions coincide, all turns are free. 3 conditions.
 
 use super::primitive::Primitive;
 

@@ -1,4 +1,4 @@
-//! Weld: places coincide, axes are parallel. 6 conditions.
+//! Weld: positions coincide, axes are parallel. 6 conditions.
 
 use super::primitive::Primitive;
 

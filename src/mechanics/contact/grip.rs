@@ -2,9 +2,9 @@
 //! surfaces slide (MECHANICS 7.6).
 //!
 //! A cell has one force, at the center of its pressure. What it remembers is the displacement in the axes of the
-//! carrier. Both surfaces slip by `Δs = P (Δy' + r n × Δφ)`: the surface of the beam is its radius away from its axis and
-//! turns with its section, so that friction turns the section too. A step takes the force half a step behind its end,
-//! as dry friction of joints does.
+//! carrier. Both surfaces slip by `Δs = P (Δy' + r n × Δφ)`: the surface of the beam is its radius away from its axis
+//! and turns with its section, so that friction turns the section too. A step takes the force half a step behind its
+//! end, as dry friction of joints does.
 
 use super::Contact;
 use super::pieces::CELLS;
@@ -40,12 +40,12 @@ pub struct Friction {
 pub struct Pressing {
     /// Force, N.
     force: f64,
-    /// The force times the place where it acts, N.
+    /// The force times the position where it acts, N.
     moment: f64,
     /// Length on which it acts, m.
     length: f64,
     /// Derivative of the force with respect to `y'`, over a step at its end, N/m.
-    by_place: Vec3,
+    by_position: Vec3,
 }
 
 /// The pressure in each cell of an element.
@@ -58,7 +58,7 @@ impl Pressing {
         own.force += touch.pressing;
         own.moment += touch.pressing * touch.xi;
         own.length += touch.length;
-        own.by_place += touch.by_place;
+        own.by_position += touch.by_position;
     }
 }
 
@@ -81,15 +81,15 @@ pub struct Grip {
     /// Its derivative with respect to the force that presses, 1.
     pub by_pressing: Vec3,
     /// Derivative of that force with respect to `y'`, N/m.
-    pub pressing_by_place: Vec3,
+    pub pressing_by_position: Vec3,
     /// How the slip depends on the coordinates of the element.
     pub by_element: ByElement,
     /// How `y'` does.
-    pub place_by_element: ByElement,
+    pub position_by_element: ByElement,
     /// How the slip depends on the coordinates of the body that carries the surface.
     pub by_body: ByBody,
     /// How `y'` does.
-    pub place_by_body: ByBody,
+    pub position_by_body: ByBody,
     /// Slip since the last accepted state, m.
     pub slip: Vec3,
     /// The part of it by moving frames, m.
@@ -152,15 +152,15 @@ impl Contact {
         };
         let carriers = ends.map(|end| self.carrier(end));
         let (seat, axes) = self.seat();
-        let places = [0, 1].map(|end| self.lying(element, &carriers[end], ends[end]).place(xi));
-        let whole = places.map(|place| seat + axes * place);
+        let points = [0, 1].map(|end| self.lying(element, &carriers[end], ends[end]).point(xi));
+        let whole = points.map(|point| seat + axes * point);
         let weights = hermite::shape(xi, element.length());
         let from = [0, 1].map(|end| arm(element, &weights, &carriers[end], ends[end]));
         let arms = match passage {
             Passage::Step(_) => Arms::over(carriers, from),
             _ => Arms::at(carriers[1], from[1]),
         };
-        let middle = (places[0] + places[1]) * 0.5;
+        let middle = (points[0] + points[1]) * 0.5;
         let normal = axes * self.surface.shape.normal(&middle).normalize();
         let across = Mat3::identity() - normal * normal.transpose();
         // The surface of the beam is on the other side of its axis.
@@ -209,11 +209,11 @@ impl Contact {
             force,
             by_slip,
             by_pressing,
-            pressing_by_place: pressing.by_place,
+            pressing_by_position: pressing.by_position,
             by_element: rows.by_element,
-            place_by_element: rows.place_by_element,
+            position_by_element: rows.position_by_element,
             by_body: rows.by_body,
-            place_by_body: rows.place_by_body,
+            position_by_body: rows.position_by_body,
             slip,
             by_frame,
             displaced,
@@ -223,13 +223,13 @@ impl Contact {
         }
     }
 
-    /// How slip and place depend on coordinates.
+    /// How slip and position depend on coordinates.
     fn rows(&self, element: &AnyElement, c: &Configuration, xi: f64, arms: &Arms, across: &Mat3, lever: &Vec3) -> Rows {
         let weights = hermite::shape(xi, element.length());
         let into = arms.axes.transpose();
         let mut rows = Rows::default();
         for (weight, start) in weights.iter().zip(SHAPE_PLACES) {
-            rows.place_by_element.fixed_columns_mut::<3>(start).copy_from(&(into * *weight));
+            rows.position_by_element.fixed_columns_mut::<3>(start).copy_from(&(into * *weight));
         }
         if self.radius > 0.0 {
             let turn_q = element.section_jacobian(&c.beams, xi).turn_q;
@@ -237,18 +237,18 @@ impl Contact {
         }
         // (φ × lever) = −lever × φ.
         let by_turn = -lever.cross_matrix();
-        rows.by_element = across * (rows.place_by_element + by_turn * rows.turn_by_element);
+        rows.by_element = across * (rows.position_by_element + by_turn * rows.turn_by_element);
         if let Some(start) = self.body() {
             let directors = kinematics::pose(c.beams.q, start);
-            rows.place_by_body.fixed_columns_mut::<3>(0).copy_from(&-into);
+            rows.position_by_body.fixed_columns_mut::<3>(0).copy_from(&-into);
             for director in 0..3 {
-                let place = axis_place(director);
-                let mut turn = rows.turn_by_body.fixed_columns_mut::<3>(place);
+                let point = axis_place(director);
+                let mut turn = rows.turn_by_body.fixed_columns_mut::<3>(point);
                 turn.copy_from(&(into * directors.axis(director).cross_matrix() * 0.5));
-                let mut own = rows.place_by_body.fixed_rows_mut::<1>(director);
-                own.fixed_columns_mut::<3>(place).copy_from(&arms.arm.transpose());
+                let mut own = rows.position_by_body.fixed_rows_mut::<1>(director);
+                own.fixed_columns_mut::<3>(point).copy_from(&arms.arm.transpose());
             }
-            rows.by_body = across * (rows.place_by_body - by_turn * rows.turn_by_body);
+            rows.by_body = across * (rows.position_by_body - by_turn * rows.turn_by_body);
         }
         rows
     }
@@ -287,14 +287,14 @@ impl Contact {
     }
 }
 
-/// How slip, place and turn depend on coordinates, in the axes of the carrier.
+/// How slip, position and turn depend on coordinates, in the axes of the carrier.
 #[derive(Clone, Copy, Debug, Default)]
 struct Rows {
     by_element: ByElement,
-    place_by_element: ByElement,
+    position_by_element: ByElement,
     turn_by_element: ByElement,
     by_body: ByBody,
-    place_by_body: ByBody,
+    position_by_body: ByBody,
     turn_by_body: ByBody,
 }
 
@@ -311,12 +311,13 @@ fn sum<const COLUMNS: usize>(rows: &SMatrix<f64, 3, COLUMNS>, value: impl Fn(usi
 impl Grip {
     /// Derivative of the friction with respect to the coordinates of the element at the end.
     pub fn by_end(&self) -> ByElement {
-        self.by_slip * self.by_element + self.by_pressing * (self.pressing_by_place.transpose() * self.place_by_element)
+        self.by_slip * self.by_element
+            + self.by_pressing * (self.pressing_by_position.transpose() * self.position_by_element)
     }
 
     /// The same with respect to the coordinates of the body.
     pub fn by_body_end(&self) -> ByBody {
-        self.by_slip * self.by_body + self.by_pressing * (self.pressing_by_place.transpose() * self.place_by_body)
+        self.by_slip * self.by_body + self.by_pressing * (self.pressing_by_position.transpose() * self.position_by_body)
     }
 
     /// Friction on the beam at its axis, in global axes: force, N, and moment, N m.

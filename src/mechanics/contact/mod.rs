@@ -37,7 +37,7 @@ pub struct Surface {
 pub struct Contact {
     /// Name in the model file.
     pub name: String,
-    /// Its place among the contacts of the model file, of which each may be several here.
+    /// Its position among the contacts of the model file, of which each may be several here.
     pub number: usize,
     /// The surface.
     pub surface: Surface,
@@ -60,7 +60,7 @@ impl Contact {
         }
     }
 
-    /// The place and the axes of the ground, the frame or the body that carries the surface.
+    /// The position and the axes of the ground, the frame or the body that carries the surface.
     pub fn carrier(&self, c: &Configuration) -> Pose {
         self.surface.marker.bare().pose(c)
     }
@@ -79,13 +79,13 @@ impl Contact {
     /// How `element` lies in the axes of the surface, which `carrier` carries.
     fn lying(&self, element: &AnyElement, carrier: &Pose, c: &Configuration) -> Lying {
         let q = &c.beams.q[element.coordinates()];
-        let (place, axes) = self.seat();
+        let (point, axes) = self.seat();
         let into = axes.transpose() * carrier.axes.transpose();
         let mut vectors = SHAPE_PLACES.map(|start| Vec3::new(q[start], q[start + 1], q[start + 2]));
         for (number, vector) in vectors.iter_mut().enumerate() {
-            // Slopes have no place.
+            // Slopes have no position.
             *vector = match number % 2 {
-                0 => into * (*vector - carrier.place) - axes.tr_mul(&place),
+                0 => into * (*vector - carrier.place) - axes.tr_mul(&point),
                 _ => into * *vector,
             };
         }
@@ -94,8 +94,8 @@ impl Contact {
 
     /// Whether an element touches the surface neither at one of both ends of a step nor on the way.
     fn is_clear(&self, [start, end]: [&Lying; 2]) -> bool {
-        let middles = [start, end].map(|own| own.place(0.5));
-        let gap = middles.iter().map(|place| self.surface.shape.least_distance(place)).fold(f64::INFINITY, f64::min);
+        let middles = [start, end].map(|own| own.point(0.5));
+        let gap = middles.iter().map(|point| self.surface.shape.least_distance(point)).fold(f64::INFINITY, f64::min);
         gap - self.radius - (middles[1] - middles[0]).norm() > start.reach().max(end.reach())
     }
 }

@@ -1,8 +1,8 @@
 //! One element that touches a surface: the force at each point of integration, with its derivative.
 //!
-//! In the axes of the carrier a point of the beam is at `y' = Bᵀ(x − c)`, with the place `c` and the axes `B` of the
+//! In the axes of the carrier a point of the beam is at `y' = Bᵀ(x − c)`, with the position `c` and the axes `B` of the
 //! carrier. Over a step `Δy' = B̄ᵀ Δ(x − c) + ΔBᵀ ē` holds exactly with the means `B̄` and `ē` of `B` and of the arm
-//! `e = x − c`. A force `F'` along `Δy'` is `B̄ F'` on the point, `−B̄ F'` on the carrier's place and `F'ᵢ ē` on its
+//! `e = x − c`. A force `F'` along `Δy'` is `B̄ F'` on the point, `−B̄ F'` on the carrier's position and `F'ᵢ ē` on its
 //! director `i`.
 
 use super::Contact;
@@ -40,8 +40,8 @@ pub struct Touch {
     /// Size of the normal force, N.
     pub pressing: f64,
     /// Its derivative with respect to `y'`, over a step at its end, N/m.
-    pub by_place: Vec3,
-    /// Weights of the element's places and slopes.
+    pub by_position: Vec3,
+    /// Weights of the element's positions and slopes.
     pub weights: [f64; 4],
     /// Force on the beam in the axes of the carrier, N.
     pub force: Vec3,
@@ -84,18 +84,18 @@ impl Contact {
         let (shape, radius, (_, axes)) = (&self.surface.shape, self.radius, self.seat());
         each_point(shape, radius, [start, end], |cell, xi, share| {
             let weights = hermite::shape(xi, element.length());
-            let places = lying.map(|own| own.place(xi));
-            let penetrations = places.map(|place| radius - shape.distance(&place));
+            let points = lying.map(|own| own.point(xi));
+            let penetrations = points.map(|point| radius - shape.distance(&point));
             let Pressure { force, slope, elastic } = self.law.over(penetrations, step.duration);
-            let secant = shape.secant(&places[0], &places[1]);
-            let normal = shape.normal(&places[1]);
+            let secant = shape.secant(&points[0], &points[1]);
+            let normal = shape.normal(&points[1]);
             let by_end = secant.direction * normal.transpose() * slope - secant.by_end * force;
             take(&Touch {
                 xi,
                 cell,
                 length: share,
                 pressing: share * force,
-                by_place: axes * normal * (-share * slope),
+                by_position: axes * normal * (-share * slope),
                 weights,
                 force: axes * secant.direction * (share * force),
                 stiffness: axes * by_end * axes.transpose() * (2.0 * share),
@@ -126,9 +126,9 @@ impl Contact {
         }
         let (shape, radius, (_, axes)) = (&self.surface.shape, self.radius, self.seat());
         each_point(shape, radius, [&lying, &lying], |cell, xi, share| {
-            let place = lying.place(xi);
-            let penetration = radius - shape.distance(&place);
-            let (weights, normal) = (hermite::shape(xi, element.length()), shape.normal(&place));
+            let point = lying.point(xi);
+            let penetration = radius - shape.distance(&point);
+            let (weights, normal) = (hermite::shape(xi, element.length()), shape.normal(&point));
             let arms = Arms::at(carrier, arm(element, &weights, &carrier, c));
             let (velocity, velocity_by_q) = motion.unwrap_or((&[], 0.0));
             let rate = match motion {
@@ -140,16 +140,16 @@ impl Contact {
             let by_rate = self.law.by_rate(penetration, rate);
             let stiff = velocity_by_q * by_rate;
             let Pressure { force, slope, .. } = self.law.at(penetration, rate);
-            let by_place = normal * normal.transpose() * (slope + stiff) - shape.normal_by_place(&place) * force;
+            let by_position = normal * normal.transpose() * (slope + stiff) - shape.normal_by_position(&point) * force;
             take(&Touch {
                 xi,
                 cell,
                 length: share,
                 pressing: share * force,
-                by_place: axes * normal * (-share * (slope + stiff)),
+                by_position: axes * normal * (-share * (slope + stiff)),
                 weights,
                 force: axes * normal * (share * force),
-                stiffness: axes * by_place * axes.transpose() * share,
+                stiffness: axes * by_position * axes.transpose() * share,
                 damping: axes * normal * normal.transpose() * axes.transpose() * (share * by_rate),
                 arms,
                 penetration,
@@ -186,7 +186,7 @@ impl Contact {
         /// Points of an element that are looked at: a beam does not bend around a core between them.
         const POINTS: usize = 5;
         (0..POINTS).any(|number| {
-            let [start, end] = lying.map(|own| own.place(number as f64 / (POINTS - 1) as f64));
+            let [start, end] = lying.map(|own| own.point(number as f64 / (POINTS - 1) as f64));
             self.surface.shape.is_run_through(&start, &end)
         })
     }

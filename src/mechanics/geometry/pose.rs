@@ -7,17 +7,17 @@ use crate::math::{Mat3, Vec3};
 use nalgebra::SMatrix;
 use serde::{Deserialize, Serialize};
 
-/// Numbers of a pose: place, then the three axes.
+/// Numbers of a pose: position, then the three axes.
 pub const POSE: usize = 3 * VECTORS;
-/// Vectors of a pose: place, then the three axes.
+/// Vectors of a pose: position, then the three axes.
 pub const VECTORS: usize = 4;
-/// The vector that is the place.
+/// The vector that is the position.
 pub const PLACE: usize = 0;
 
-/// A vector for each vector of a pose, as columns: place, first, second and third axis.
+/// A vector for each vector of a pose, as columns: position, first, second and third axis.
 pub type PoseVector = SMatrix<f64, 3, VECTORS>;
 
-/// Place and axes, or their derivatives by time.
+/// Position and axes, or their derivatives by time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Position, m.

@@ -39,9 +39,9 @@ pub struct Drive {
 /// Where a frame has its motion from.
 #[derive(Clone, Debug)]
 pub enum FrameGuide {
-    /// Place (m) and rotation vector (rad) are functions of time.
+    /// Position (m) and rotation vector (rad) are functions of time.
     Signals {
-        /// Place in global axes, m.
+        /// Position in global axes, m.
         place: [Signal; 3],
         /// Rotation vector from the global axes, rad.
         rotation: [Signal; 3],

@@ -25,7 +25,7 @@ pub struct Prescribed {
 /// A pose with its first two derivatives by time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MovingPose {
-    /// Place and axes.
+    /// Position and axes.
     pub pose: Pose,
     /// First derivative.
     pub velocity: Pose,

@@ -23,7 +23,7 @@ pub struct Configuration<'a> {
 }
 
 impl Configuration<'_> {
-    /// The last accepted state, of which places alone are known: no frames.
+    /// The last accepted state, of which positions alone are known: no frames.
     pub fn accepted(&self) -> Self {
         let (q, prescribed) = self.accepted;
         let BeamConfiguration { holonomy, .. } = self.beams;

@@ -49,7 +49,7 @@ pub enum Marker {
     Frame {
         /// Number of the frame.
         frame: usize,
-        /// Place relative to the frame, in its axes, m.
+        /// Position relative to the frame, in its axes, m.
         offset: Vec3,
         /// Axes relative to the frame's.
         axes: Mat3,
@@ -58,7 +58,7 @@ pub enum Marker {
     Body {
         /// First coordinate of the body.
         start: usize,
-        /// Place relative to the center of mass, in directors, m.
+        /// Position relative to the center of mass, in directors, m.
         offset: Vec3,
         /// Axes relative to the directors.
         axes: Mat3,
@@ -67,7 +67,7 @@ pub enum Marker {
     Node {
         /// Number of the node.
         node: usize,
-        /// Place relative to the node, in section axes, m.
+        /// Position relative to the node, in section axes, m.
         offset: Vec3,
         /// Axes relative to the section axes.
         axes: Mat3,
@@ -76,9 +76,9 @@ pub enum Marker {
     Section {
         /// Number of the element.
         element: usize,
-        /// Place in the element, 0 to 1.
+        /// Position in the element, 0 to 1.
         xi: f64,
-        /// Place relative to the section, in its axes, m.
+        /// Position relative to the section, in its axes, m.
         offset: Vec3,
         /// Axes relative to the section axes.
         axes: Mat3,
@@ -130,7 +130,7 @@ impl Marker {
         }
     }
 
-    /// Place relative to what the marker is tied to, in its axes, m; 0 on the ground.
+    /// Position relative to what the marker is tied to, in its axes, m; 0 on the ground.
     pub fn arm(&self) -> Vec3 {
         match self {
             Self::Ground(_) => Vec3::zeros(),
@@ -151,7 +151,7 @@ impl Marker {
         }
     }
 
-    /// Place and axes.
+    /// Position and axes.
     pub fn pose(&self, c: &Configuration) -> Pose {
         match self {
             Self::Ground(pose) => *pose,
@@ -167,7 +167,7 @@ impl Marker {
         }
     }
 
-    /// The element and the place in it where its place is on the axis, which does not turn with the section.
+    /// The element and the position in it where its position is on the axis, which does not turn with the section.
     fn on_axis(&self) -> Option<(usize, f64)> {
         match self {
             Self::Section { element, xi, offset, .. } if *offset == Vec3::zeros() => Some((*element, *xi)),
@@ -175,7 +175,7 @@ impl Marker {
         }
     }
 
-    /// The pose, of which the place alone counts: the axes of a section inside an element are not computed.
+    /// The pose, of which the position alone counts: the axes of a section inside an element are not computed.
     pub fn placed(&self, c: &Configuration) -> Pose {
         match self.on_axis() {
             Some((element, xi)) => {
@@ -211,7 +211,7 @@ impl Marker {
         }
     }
 
-    /// Derivatives of place and turn by the marker's coordinates.
+    /// Derivatives of position and turn by the marker's coordinates.
     pub fn jacobian(&self, c: &Configuration) -> MarkerJacobian {
         match self {
             Self::Ground(_) | Self::Frame { .. } => {

@@ -16,7 +16,7 @@ use crate::mechanics::geometry::pose::{PLACE, Pose, PoseVector, angular_velocity
 pub struct Observer {
     /// What moves with it.
     marker: Marker,
-    /// Place and axes as drawn.
+    /// Position and axes as drawn.
     drawn: Pose,
 }
 

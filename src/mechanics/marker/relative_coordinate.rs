@@ -14,11 +14,11 @@ use std::f64::consts::PI;
 /// What is measured of b relative to a.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
-    /// Place of b relative to that of a along this axis of a, m.
+    /// Position of b relative to that of a along this axis of a, m.
     Distance(usize),
     /// Turn of b against a about this axis, right-handed, rad.
     Angle(usize),
-    /// Distance of the two places, m.
+    /// Distance of the two positions, m.
     Length,
     /// This component, in a's axes, of the rotation vector of b against a, rad; below half a turn.
     Rotation(usize),

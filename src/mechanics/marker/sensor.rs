@@ -25,7 +25,7 @@ pub enum Facing {
 pub struct Sensor {
     /// The point: a section, a body, a moving frame.
     pub marker: Marker,
-    /// Place and axes as drawn.
+    /// Position and axes as drawn.
     pub drawn: Pose,
     /// Of a point of a beam: the beam's number, and the fraction of its length, 0 to 1.
     pub on_beam: Option<(usize, f64)>,
@@ -42,7 +42,7 @@ pub struct Sensor {
 pub struct Section {
     /// The element.
     pub element: usize,
-    /// Place in it, 0 to 1.
+    /// Position in it, 0 to 1.
     pub xi: f64,
     drawn: SectionShape,
 }
@@ -122,7 +122,7 @@ impl Sensor {
         observer.acceleration(c, velocity, acceleration, of)
     }
 
-    /// Place and axes as drawn, as its observer saw them.
+    /// Position and axes as drawn, as its observer saw them.
     fn seen_drawn(&self) -> Pose {
         self.observer.as_ref().map_or(self.drawn, |observer| observer.see_drawn(&self.drawn))
     }

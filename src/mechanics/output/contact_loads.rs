@@ -11,7 +11,7 @@ use crate::mechanics::system::System;
 pub struct ContactLoads {
     /// Force on the beams, N.
     pub force: Vec3,
-    /// Moment on the beams about the place of the first surface, N m.
+    /// Moment on the beams about the position of the first surface, N m.
     pub moment: Vec3,
     /// Sum of the sizes of all normal forces, N.
     pub normal: f64,
@@ -54,9 +54,9 @@ impl System {
                 });
                 contact.each_grip(own, element, c, passage, &cells, |grip| {
                     let [force, moment] = grip.in_space();
-                    let place = interpolate(&hermite::shape(grip.xi, element.length()), q);
+                    let point = interpolate(&hermite::shape(grip.xi, element.length()), q);
                     found.force += force;
-                    found.moment += (place - about).cross(&force) + moment;
+                    found.moment += (point - about).cross(&force) + moment;
                     found.friction += grip.force.norm();
                     cells_with_friction += 1.0;
                     found.sliding += f64::from(grip.slides);

@@ -16,7 +16,7 @@ const ALSO: f64 = 0.5;
 /// Components that differ by less are equal: the first is named.
 const EQUAL: f64 = 1e-6;
 
-/// A small motion at one place, global axes.
+/// A small motion at one position, global axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaceMotion {
     /// Displacement, m.

@@ -18,7 +18,7 @@ pub struct Pace {
     pub since: f64,
     /// Changes of all coordinates since the start; empty before the first step.
     pub travel: Vec<f64>,
-    /// The largest of them so far: of places over the system's size, and of slopes and angles.
+    /// The largest of them so far: of positions over the system's size, and of slopes and angles.
     pub range: [f64; 2],
 }
 

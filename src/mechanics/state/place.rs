@@ -54,7 +54,7 @@ impl State {
         self.velocity.iter().any(|value| *value != 0.0)
     }
 
-    /// Whether all numbers of its place are finite.
+    /// Whether all numbers of its position are finite.
     pub fn is_finite(&self) -> bool {
         let lists = [&self.q, &self.velocity, &self.momentum, &self.holonomy, &self.relative_values];
         let vectors = self.triads.iter().flat_map(|triad| [&triad.t, &triad.u]).chain(&self.rotations);

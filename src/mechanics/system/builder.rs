@@ -317,7 +317,7 @@ impl SystemBuilder {
         }
     }
 
-    /// Place and axes of a marker as drawn.
+    /// Position and axes of a marker as drawn.
     pub fn drawn(&self, marker: &Marker) -> Pose {
         let holonomy = vec![0.0; self.system.mesh.branches];
         marker.pose(&self.configuration(&self.frames(), &holonomy))

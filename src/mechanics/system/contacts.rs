@@ -248,13 +248,13 @@ impl System {
         let before = Configuration { accepted: (&state.q, &state.prescribed), ..*c }.accepted();
         let found = self.contact_elements().find(|(own, _, element)| own.is_run_through(element, [&before, c]));
         let Some((contact, number, _)) = found else { return Ok(()) };
-        let (beam, place) = self.beam_of(number);
+        let (beam, element) = self.beam_of(number);
         let (beam, surface) = (beam.name.clone(), contact.surface.name.clone());
-        Err(Error::RunThrough { time, beam, element: place, surface, radius: contact.surface.shape.radius() })
+        Err(Error::RunThrough { time, beam, element, surface, radius: contact.surface.shape.radius() })
     }
 
-    /// Calls `take` with the place in element `number`, and with force (N) and moment (N m) on it in global axes, of each
-    /// point that touches a surface.
+    /// Calls `take` with the position in element `number`, and with force (N) and moment (N m) on it in global axes, of
+    /// each point that touches a surface.
     pub fn each_touch_of(
         &self,
         number: usize,
@@ -274,7 +274,7 @@ impl System {
 }
 
 impl Touch {
-    /// Work of the force that the beam exerts on the carrier while its place and axes change, J.
+    /// Work of the force that the beam exerts on the carrier while its position and axes change, J.
     fn work_on_carrier(&self, place: &Vec3, axes: &Mat3) -> f64 {
         self.force.dot(&axes.tr_mul(&self.arms.arm)) - self.in_space().dot(place)
     }
@@ -284,8 +284,8 @@ impl Touch {
 /// that carries the surface.
 fn add_force(touch: &Touch, start: usize, body: Option<usize>, factor: f64, forces: &mut [f64]) {
     let force = touch.in_space() * factor;
-    for (weight, place) in touch.weights.iter().zip(SHAPE_PLACES) {
-        add_vec3(forces, start + place, &(force * -weight));
+    for (weight, first) in touch.weights.iter().zip(SHAPE_PLACES) {
+        add_vec3(forces, start + first, &(force * -weight));
     }
     let Some(body) = body else { return };
     add_vec3(forces, body, &force);
@@ -331,20 +331,20 @@ fn add_to_element(touch: &Touch, scale: f64, block: &mut [f64]) {
 fn add_with_body(touch: &Touch, scale: f64, by_body: &mut [f64], by_element: &mut [f64], of_body: &mut [f64]) {
     let Touch { force, stiffness, ref arms, .. } = *touch;
     let (rows, columns) = (arms.axes * stiffness, stiffness * arms.end_axes.transpose());
-    let places = arms.axes * columns;
-    for (weight, place) in touch.weights.iter().zip(SHAPE_PLACES) {
+    let by_point = arms.axes * columns;
+    for (weight, first) in touch.weights.iter().zip(SHAPE_PLACES) {
         let factor = scale * weight;
-        add_block(by_body, ELEMENT, [place, 0], &(places * -factor));
-        add_block(by_element, BODY, [0, place], &(places * -factor));
+        add_block(by_body, ELEMENT, [first, 0], &(by_point * -factor));
+        add_block(by_element, BODY, [0, first], &(by_point * -factor));
         for director in 0..3 {
             let turned = Mat3::identity() * force[director];
             let by_director = rows.column(director) * arms.end_arm.transpose() - turned;
-            add_block(by_body, ELEMENT, [place, axis_place(director)], &(by_director * factor));
+            add_block(by_body, ELEMENT, [first, axis_place(director)], &(by_director * factor));
             let on_director = arms.arm * columns.row(director) - turned;
-            add_block(by_element, BODY, [axis_place(director), place], &(on_director * factor));
+            add_block(by_element, BODY, [axis_place(director), first], &(on_director * factor));
         }
     }
-    add_block(of_body, BODY, [0, 0], &(places * scale));
+    add_block(of_body, BODY, [0, 0], &(by_point * scale));
     for director in 0..3 {
         let turned = Mat3::identity() * force[director];
         let by_director = turned - rows.column(director) * arms.end_arm.transpose();

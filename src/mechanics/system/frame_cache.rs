@@ -1,4 +1,4 @@
-//! Memory for the frames of the nodes, which every configuration needs: the one place where they are computed.
+//! Memory for the frames of the nodes, which every configuration needs: they are computed there alone.
 
 use super::System;
 use crate::mechanics::beam::ancf14::frame::NodeFrame;

@@ -34,7 +34,7 @@ impl System {
         found.map_or_else(|| String::from("an unknown"), |(joint, _)| self.describe_joint(joint))
     }
 
-    /// A joint's name. The rigidity of a body is nobody's choice: in its place stand the joints of the body.
+    /// A joint's name. The rigidity of a body is nobody's choice: in its stead stand the joints of the body.
     fn describe_joint(&self, joint: &Joint) -> String {
         let is_rigidity = |joint: &Joint| joint.primitives.iter().all(|part| matches!(part, Primitive::Rigid(..)));
         let own = joint.b.coordinates(&self.mesh);

@@ -12,7 +12,8 @@ use crate::model::file::entries::surface::{self, SurfaceSpec};
 use crate::model::shape::contacts::contact_radius;
 use crate::model::shape::sections;
 
-/// Default stiffness of a contact with something round, over `EA/R²`: the surface then gives by a quarter of the axial strain under the beam's own pull.
+/// Default stiffness of a contact with something round, over `EA/R²`: the surface then gives by a quarter of the axial
+/// strain under the beam's own pull.
 const ROUND_SHARE: f64 = 4.0;
 /// Radii of the beam over which its axial stiffness is spread in the default stiffness of a contact with a plane.
 const FLAT_RADII: f64 = 20.0;

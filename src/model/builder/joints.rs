@@ -76,7 +76,7 @@ impl Builder<'_> {
         self.system.add_joint_parts(parts);
     }
 
-    /// The two sides of a joint: at its place, with its axes.
+    /// The two sides of a joint: at its position, with its axes.
     pub(super) fn sides(&mut self, written: &JointSpec) -> [Marker; 2] {
         let document = self.document;
         let own = if written.b.is_ground() { &written.a } else { &written.b };

@@ -248,7 +248,7 @@ pub fn changed(document: &Document, overrides: &[Override], changes: Vec<Overrid
     Some(other)
 }
 
-/// Everything that holds on to a place that it names itself, with its key.
+/// Everything that holds on to a position that it names itself, with its key.
 fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
     let sides = |name: &str, a: Anchor, b: Anchor| [(format!("{name}.a"), a), (format!("{name}.b"), b)];
     // With its section: a load or an output of the same name may have such a key.

@@ -73,7 +73,7 @@ pub enum MarkKind {
     Point,
     /// A drive of an angle, at its joint.
     Drive,
-    /// A place where something is measured.
+    /// A position where something is measured.
     Output,
 }
 
@@ -314,7 +314,7 @@ const BETWEEN_NODES: usize = 7;
 /// Fractions of a beam at which a load along it is drawn.
 const LINE_LOAD: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
-/// A place farther away than this, m, is a slip of the pen: squares of it must not overflow.
+/// A position farther away than this, m, is a slip of the pen: squares of it must not overflow.
 const FARTHEST: f64 = 1e100;
 /// Instants at which it is asked whether a load acts.
 const INSTANTS: u32 = 1000;

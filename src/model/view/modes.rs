@@ -23,7 +23,7 @@ const LIGHT: f64 = 0.2;
 /// Points of a line in each element.
 const POINTS: usize = 8;
 
-/// A place that a mode moves.
+/// A position that a mode moves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
     /// Its name in the model file: `arm.node[3]` or a body's.
@@ -32,7 +32,7 @@ pub struct Place {
     pub position: [f64; 3],
 }
 
-/// How a mode moves a place, global axes, in units of the mode.
+/// How a mode moves a position, global axes, in units of the mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     /// Displacement, m.
@@ -56,7 +56,7 @@ pub struct Mode {
     pub moves: String,
     /// The coordinates of the system, as they change.
     pub shape: Vec<f64>,
-    /// Its motion at each place.
+    /// Its motion at each position.
     pub motions: Vec<Motion>,
     /// Displacements of the points of the lines, m.
     pub lines: Vec<Vec<[f64; 3]>>,
@@ -81,7 +81,7 @@ pub struct Modes {
     pub modes: Vec<Mode>,
     /// Nodes of all beams, then bodies.
     pub places: Vec<Place>,
-    /// How many of the places are nodes.
+    /// How many of the positions are nodes.
     pub nodes: usize,
     /// Points of all beams close enough to each other to draw, m.
     pub lines: Vec<Vec<[f64; 3]>>,

@@ -22,7 +22,7 @@ pub struct Swing {
     pub stations: Vec<([f64; 3], [f64; 3])>,
     /// The same of each body.
     pub bodies: Vec<([f64; 3], [f64; 3])>,
-    /// Displacements (m) of what else is drawn, by the name of the track that has its places.
+    /// Displacements (m) of what else is drawn, by the name of the track that has its positions.
     pub places: Vec<(&'static str, Vec<[f64; 3]>)>,
 }
 

@@ -82,11 +82,11 @@ impl Front {
 /// A part of a block that lies within one front.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece {
-    /// Place of its first value among those of the blocks.
+    /// Position of its first value among those of the blocks.
     pub source: u32,
     /// Distance of its columns there.
     pub stride: u32,
-    /// Place of its first value in the columns of the front.
+    /// Position of its first value in the columns of the front.
     pub target: u32,
     /// Number of rows.
     pub rows: u32,

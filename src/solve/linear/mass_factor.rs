@@ -60,7 +60,7 @@ impl MassFactor {
             (chain[a.max(b)], last[column]) = (a.min(b), last[column].max(row));
         });
         let mut chains: Vec<Chain> = Vec::new();
-        // Of each unknown its place in its chain; of each first unknown the number of its chain.
+        // Of each unknown its position in its chain; of each first unknown the number of its chain.
         let (mut place, mut number) = (vec![0; coordinates], vec![0; coordinates]);
         for unknown in 0..coordinates {
             let begin = root(&mut chain, unknown);

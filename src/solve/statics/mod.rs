@@ -152,7 +152,7 @@ impl Statics {
         match ramped {
             Ok(()) if !unstable => Ok(()),
             hopeless @ Err(Error::NotFinite { .. }) => hopeless,
-            // As drawn it may be slack, or Newton has gone up to a place of rest that nothing holds.
+            // As drawn it may be slack, or Newton has gone up to a position of rest that nothing holds.
             ramped => {
                 let tried = next.statistics;
                 next.clone_from(drawn);

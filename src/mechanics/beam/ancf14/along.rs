@@ -6,7 +6,7 @@ use super::strain::{Eccentricity, Stiffness};
 use std::fmt;
 use std::sync::Arc;
 
-/// The section of an element at one place.
+/// The section of an element at one position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SectionAt {
     /// Stiffness against bending in the principal axes, and against all else.
@@ -39,12 +39,12 @@ impl SectionAt {
     }
 }
 
-/// Sections by the place in an element, 0 to 1.
+/// Sections by the position in an element, 0 to 1.
 #[derive(Clone)]
 pub struct Along(Arc<dyn Fn(f64) -> SectionAt + Send + Sync>);
 
 impl Along {
-    /// Of a function of the place.
+    /// Of a function of the position.
     pub fn new(section: impl Fn(f64) -> SectionAt + Send + Sync + 'static) -> Self {
         Self(Arc::new(section))
     }

@@ -8,11 +8,11 @@ use nalgebra::{SMatrix, SVector};
 pub const NODE: usize = 7;
 /// Coordinates of an element.
 pub const ELEMENT: usize = 14;
-/// Place of the position in a node, m.
+/// Position of the position in a node, m.
 pub const R: usize = 0;
-/// Place of the slope in a node, 1.
+/// Position of the slope in a node, 1.
 pub const P: usize = 3;
-/// Place of the twist angle in a node, rad.
+/// Position of the twist angle in a node, rad.
 pub const THETA: usize = 6;
 
 /// Where `X_a` of `X = (r_0, p_0, r_1, p_1)` starts in an element's coordinates.

@@ -10,7 +10,7 @@ use crate::math::{Vec3, hermite};
 /// Number of the stations.
 const FIVE: usize = FIVE_POINTS.len();
 
-/// Places of the angles, which have an inertia of their own.
+/// Positions of the angles, which have an inertia of their own.
 const ANGLES: [usize; 2] = [THETA, NODE + THETA];
 
 /// Mass matrix and weight of an element as drawn.

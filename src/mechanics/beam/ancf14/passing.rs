@@ -83,7 +83,7 @@ impl PaidOut {
             for (column, product) in SHAPE_PLACES.into_iter().zip(products) {
                 let (place, moved) = (vec3(own, row), vec3(own, column) * (ratio * rate * product));
                 angular += place.cross(&moved);
-                // The shape functions of the places add up to 1.
+                // The shape functions of the positions add up to 1.
                 linear += if a % 2 == 0 { moved } else { Vec3::zeros() };
             }
         }

@@ -12,7 +12,7 @@ use nalgebra::SVector;
 pub const NODE: usize = 12;
 /// Coordinates of an element.
 pub const ELEMENT: usize = 24;
-/// Place of the position in a node, m.
+/// Position of the position in a node, m.
 pub const R: usize = 0;
 /// Place of `r_x`, the slope, in a node, 1.
 pub const X: usize = 3;

@@ -14,7 +14,7 @@ pub type VoigtMatrix = SMatrix<f64, 6, 6>;
 /// Derivative of strains by the three base vectors.
 pub type ByBase = SMatrix<f64, 6, 9>;
 
-/// Which base vectors multiply in each place.
+/// Which base vectors multiply in each position.
 pub const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
 
 /// The strains that each base vector is in, and which one it multiplies there.

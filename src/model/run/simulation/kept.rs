@@ -281,7 +281,7 @@ impl Runner {
 }
 
 impl Label {
-    /// Whether another one, of a state, has the same parts, drawn in the same place.
+    /// Whether another one, of a state, has the same parts, drawn in the same position.
     fn check_parts(&self, theirs: &Self) -> Result<(), String> {
         let missing = theirs.parts.iter().find(|part| !self.parts.contains(part));
         let added = self.parts.iter().find(|part| !theirs.parts.contains(part));
@@ -324,7 +324,7 @@ fn angle(document: &Document, system: &System, own: &RelativeCoordinate) -> Stri
     }
 }
 
-/// What has a place in the state, in its order.
+/// What has a position in the state, in its order.
 fn parts(document: &Document, system: &System) -> Vec<String> {
     let beams = system.beams.iter().map(|beam| format!("beam {} with {} elements", beam.name, beam.elements()));
     let winches = document.winches.iter().map(|own| {

@@ -267,8 +267,8 @@ fn warnings(system: &System, base: &Base) -> Vec<String> {
     }
     if system.has_dry_friction() {
         warnings.push(String::from(
-            "dry friction enters with the slope that it has in this state, the stiffness of sticking where it holds: the \
-             linear system is right for motions that do not slide; for others give the joint viscous friction",
+            "dry friction enters with the slope that it has in this state, the stiffness of sticking where it holds: \
+             the linear system is right for motions that do not slide; for others give the joint viscous friction",
         ));
     }
     warnings

@@ -25,7 +25,7 @@ const MOST_STEPS: f64 = 1e9;
 /// Round-off of a time that is one sum, relative: far from 0 it can be more than a share of the internal step.
 const TIME_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Round-off that a communication step may have before it takes one internal step more, in steps. A step that is
-/// shorter is left to the next one: it would be all round-off, and velocities are differences of places.
+/// shorter is left to the next one: it would be all round-off, and velocities are differences of positions.
 const STEP_ROUNDING: f64 = 1e-6;
 
 /// The system as built, the state it has reached, and the means to go on.

@@ -10,7 +10,7 @@ use super::derivatives::finite;
 use super::start::NoStart;
 use crate::fmi::{Failure, Model, Value};
 
-/// First change of a value, relative; of 0 the change itself, of a place over the system's size.
+/// First change of a value, relative; of 0 the change itself, of a position over the system's size.
 const TRIAL: f64 = 1e-6;
 /// How far the system shall move, over its size: what a central difference of fourth order leaves out is then
 /// round-off, and what the solver leaves of an equilibrium is small beside it.

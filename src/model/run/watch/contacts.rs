@@ -37,8 +37,8 @@ impl ContactWatch {
         let (contact, depth, of) = found?;
         self.warned = true;
         Some(format!(
-            "contact {} is penetrated by {depth:.2e} m on surface {} at t = {} s, more than {} of the radius of the {of}: its stiffness of {:.2e} N/m2 decides the answer; \
-             raise {}.stiffness",
+            "contact {} is penetrated by {depth:.2e} m on surface {} at t = {} s, more than {} of the radius of the \
+             {of}: its stiffness of {:.2e} N/m2 decides the answer; raise {}.stiffness",
             contact.name,
             contact.surface.name,
             decimal(state.instant()),

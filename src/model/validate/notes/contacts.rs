@@ -24,8 +24,9 @@ pub fn coarse_contacts(document: &Document, lines: &Lines) -> Vec<Note> {
                 let whole: f64 = line.spans.iter().map(|span| span.length).sum();
                 let (name, surface) = (&document.beams[beam].name, &document.surfaces[surface].name);
                 let text = format!(
-                    "elements of beam {name} are up to {longest:.3} m long, too long to lie on surface {surface} with its radius of {radius} m. Where the beam is bent around it, \
-                     take elements = {:.0} or more: half its radius each",
+                    "elements of beam {name} are up to {longest:.3} m long, too long to lie on surface {surface} with \
+                     its radius of {radius} m. Where the beam is bent around it, take elements = {:.0} or more: half its \
+                     radius each",
                     (whole / (0.5 * radius)).ceil()
                 );
                 notes.push(Note { place: contact.place, text });

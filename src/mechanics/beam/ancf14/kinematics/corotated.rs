@@ -11,13 +11,13 @@ use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::ancf14::coordinates::{ElementColumns, ElementVector, NODE, P, R, THETA};
 use crate::mechanics::beam::ancf14::frame::NodeFrame;
 
-/// Place of the chord, m.
+/// Position of the chord, m.
 const CHORD: usize = 0;
-/// Place of the second slope, 1.
+/// Position of the second slope, 1.
 const SLOPE: usize = 3;
-/// Place of the first stretch, 1.
+/// Position of the first stretch, 1.
 const STRETCH: usize = 6;
-/// Place of the twist between the nodes, rad.
+/// Position of the twist between the nodes, rad.
 pub const TWIST: usize = 7;
 /// Place of the first node's angle `θ_0`, rad.
 pub const ANGLE: usize = 8;
@@ -372,7 +372,7 @@ fn block(vector: &CorotatedVector, place: usize) -> Vec3 {
     Vec3::new(vector[place], vector[place + 1], vector[place + 2])
 }
 
-/// Fills in the upper triangle of a symmetric matrix; a column at a time, whose places the compiler knows.
+/// Fills in the upper triangle of a symmetric matrix; a column at a time, whose positions the compiler knows.
 #[inline]
 fn mirror(matrix: &mut CorotatedMatrix) {
     mirror_column::<0>(matrix);

@@ -48,7 +48,7 @@ impl Deref for AxialPoint {
 /// The part of a Gauss point that follows from the length of the element and its section.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BendingRule {
-    /// Place in the element, 0 to 1.
+    /// Position in the element, 0 to 1.
     pub xi: f64,
     /// `N'_a`.
     pub shape_x: [f64; 4],

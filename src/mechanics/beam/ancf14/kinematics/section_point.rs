@@ -52,7 +52,7 @@ impl<'a> SectionPoint<'a> {
         }
     }
 
-    /// Place and section axes.
+    /// Position and section axes.
     pub fn pose(&self, c: &BeamConfiguration) -> Pose {
         let q = self.element.own(c.q);
         let [first, _] = self.element.frames(c);
@@ -82,7 +82,7 @@ impl<'a> SectionPoint<'a> {
         spin
     }
 
-    /// Derivative of the place by the coordinates of the element.
+    /// Derivative of the position by the coordinates of the element.
     pub fn place_q(&self) -> ByElement {
         let mut place_q = ByElement::zeros();
         for (weight, place) in self.shape.iter().zip(SHAPE_PLACES) {
