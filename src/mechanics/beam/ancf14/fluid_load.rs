@@ -2,7 +2,8 @@
 //! undeformed length, at four Gauss points of each part that is wet.
 //!
 //! `f = s [−ρA g + ρA u̇ + b_n (u̇ − v̇)_n + b_t (u̇ − v̇)_t + d_n |w_n| w_n + d_t |w_t| w_t]`, with the wet share `s`,
-//! the velocity `v` of the axis, that of the water `u`, `w = u − v`, and parts across (`n`) and along (`t`) the tangent.
+//! the velocity `v` of the axis, that of the water `u`, `w = u − v`, and parts across (`n`) and along (`t`) the
+//! tangent.
 
 use super::coordinates::{ELEMENT, SHAPE_PLACES};
 use super::element::Element;

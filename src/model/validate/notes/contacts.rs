@@ -25,8 +25,8 @@ pub fn coarse_contacts(document: &Document, lines: &Lines) -> Vec<Note> {
                 let (name, surface) = (&document.beams[beam].name, &document.surfaces[surface].name);
                 let text = format!(
                     "elements of beam {name} are up to {longest:.3} m long, too long to lie on surface {surface} with \
-                     its radius of {radius} m. Where the beam is bent around it, take elements = {:.0} or more: half its \
-                     radius each",
+                     its radius of {radius} m. Where the beam is bent around it, take elements = {:.0} or more: half \
+                     its radius each",
                     (whole / (0.5 * radius)).ceil()
                 );
                 notes.push(Note { place: contact.place, text });
