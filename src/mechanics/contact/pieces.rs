@@ -128,11 +128,14 @@ fn find_roots(gap: &impl Fn(f64) -> f64, borders: &mut Borders) -> bool {
 /// The root of `gap` between two positions at which it has different signs: by secants, and by halving where they leave
 /// one side standing.
 fn root(gap: &impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2], [mut at_low, mut at_high]: [f64; 2]) -> f64 {
-    let (mut middle, mut moved) = (0.5 * (low + high), 0);
+    let (mut best, mut moved) = ((f64::INFINITY, 0.5 * (low + high)), 0);
     for round in 0..ROUNDS {
         let secant = low - at_low * (high - low) / (at_high - at_low);
-        middle = if round % 4 == 3 || !secant.is_finite() { 0.5 * (low + high) } else { secant };
+        let middle = if round % 4 == 3 || !secant.is_finite() { 0.5 * (low + high) } else { secant };
         let here = gap(middle);
+        if here.abs() < best.0 {
+            best = (here.abs(), middle);
+        }
         // A side that stands still twice is pulled nearer.
         if (here < 0.0) == (at_low < 0.0) {
             (low, at_low) = (middle, here);
@@ -144,7 +147,7 @@ fn root(gap: &impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2], [mut at_low, m
             moved = 1;
         }
     }
-    middle
+    best.1
 }
 
 /// Place and value of the least gap between two positions.
