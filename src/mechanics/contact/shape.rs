@@ -104,7 +104,7 @@ impl Shape {
 
     /// Derivative of the normal with respect to the point, 1/m.
     pub fn normal_by_position(&self, y: &Vec3) -> Mat3 {
-        // Of equal ends the derivative by one of them is half of it.
+        // The derivative by one of two equal ends is half of it.
         self.secant(y, y).by_end * 2.0
     }
 

@@ -82,7 +82,7 @@ pub enum Shape {
     Sheave {
         /// Its direction.
         axis: [Number; 3],
-        /// To the bottom of the groove, m.
+        /// Radius to the bottom of the groove, m.
         radius: Number,
         /// Radius of the groove, m.
         groove: Number,
