@@ -5,13 +5,15 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _native
 from ._errors import CallError, RunError, missing
+
+if TYPE_CHECKING:
+    from ._native import LinearSystem
 
 Array = NDArray[np.float64]
 
@@ -45,16 +47,19 @@ class Linearization:
     """The outputs in that state, shape ``(m,)``."""
     time: float
     """The time of that state, s."""
-    _native: _native.LinearSystem = field(repr=False)
+    _native: LinearSystem = field(repr=False)
 
     @classmethod
-    def _of(cls, found: _native.LinearSystem) -> Linearization:
+    def _of(cls, found: LinearSystem) -> Linearization:
         states, inputs, outputs = found.signals()
         n, k, m = len(states), len(inputs), len(outputs)
         shapes = [(n, n), (n, k), (m, n), (m, k)]
-        own = [np.frombuffer(values, dtype="<f8").reshape(shape, order="F").copy() for values, shape in zip(found.matrices(), shapes)]
+        a, b, c, d = (np.frombuffer(values, dtype="<f8").reshape(shape, order="F").copy() for values, shape in zip(found.matrices(), shapes))
         return cls(
-            *own,
+            A=a,
+            B=b,
+            C=c,
+            D=d,
             states=[name for name, _, _ in states],
             inputs=[name for name, _, _ in inputs],
             outputs=[name for name, _, _ in outputs],
