@@ -72,7 +72,7 @@ pub type ByBody = SMatrix<f64, 3, BODY>;
 pub struct Grip {
     /// The cell.
     pub cell: usize,
-    /// Place in the element, 0 to 1.
+    /// Position in the element, 0 to 1.
     pub xi: f64,
     /// Friction in the axes of the carrier, against the slip, N.
     pub force: Vec3,
@@ -116,8 +116,7 @@ fn cut(vector: &Vec3, limit: f64) -> (Vec3, Mat3, Vec3) {
 }
 
 impl Contact {
-    /// Calls `take` with the friction of each cell of `element` in which something presses, `cells`; `first` is the
-    /// first element of the contact.
+    /// Calls `take` with the friction of each cell of `element`, number `number` of the mesh, in which `cells` press.
     pub fn each_grip(
         &self,
         number: usize,

@@ -62,7 +62,9 @@ pub struct Touch {
 impl Contact {
     /// Calls `take` with each point of `element` that touches the surface at `c`, through which the system passes as
     /// `passage` says.
-    pub fn each_touch(&self, element: &AnyElement, c: &Configuration, passage: &Passage, take: impl FnMut(&Touch)) {
+    pub fn each_touch(&self, element: &AnyElement, c: &Configuration, passage: &Passage, mut take: impl FnMut(&Touch)) {
+        // One copy of the search for all who ask.
+        let take: &mut dyn FnMut(&Touch) = &mut take;
         match passage {
             Passage::Step(step) => self.each_touch_over(element, step, take),
             Passage::Rest | Passage::Corrected(_) => self.each_touch_at(element, c, None, take),
@@ -73,7 +75,7 @@ impl Contact {
     }
 
     /// The same over a step.
-    fn each_touch_over(&self, element: &AnyElement, step: &TimeStep, mut take: impl FnMut(&Touch)) {
+    fn each_touch_over(&self, element: &AnyElement, step: &TimeStep, take: &mut dyn FnMut(&Touch)) {
         let configurations = [step.start, step.end];
         let carriers = configurations.map(|c| self.carrier(c));
         let lying = [0, 1].map(|end| self.lying(element, &carriers[end], configurations[end]));
@@ -117,7 +119,7 @@ impl Contact {
         element: &AnyElement,
         c: &Configuration,
         motion: Option<(&[f64], f64)>,
-        mut take: impl FnMut(&Touch),
+        take: &mut dyn FnMut(&Touch),
     ) {
         let carrier = self.carrier(c);
         let lying = self.lying(element, &carrier, c);

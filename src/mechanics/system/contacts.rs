@@ -189,20 +189,21 @@ impl System {
             return found;
         }
         let passage = Passage::Step(*step);
-        self.add_contact_forces(c, &passage, forces);
         found.elastic = self.contact_energy(step.end);
         for (contact, number, element) in self.contact_elements() {
-            let mut cells = Cells::default();
+            let (first, body, mut cells) = (element.coordinates().start, contact.body(), Cells::default());
             let [start, end] = [step.start, step.end].map(|c| contact.carrier(c));
-            let moves = contact.body().is_none() && start != end;
+            let moves = body.is_none() && start != end;
             contact.each_touch(element, c, &passage, |touch| {
                 Pressing::add(&mut cells, touch);
+                add_force(touch, first, body, 1.0, forces);
                 found.dissipated += touch.dissipated;
                 if moves {
                     found.by_frames -= touch.work_on_carrier(&(end.place - start.place), &(end.axes - start.axes));
                 }
             });
             contact.each_grip(number, element, c, &passage, &cells, |grip| {
+                add_friction(grip, first, body, forces);
                 found.dissipated += grip.force.dot(&grip.slip);
                 found.by_frames += grip.force.dot(&grip.by_frame);
             });
@@ -223,18 +224,6 @@ impl System {
                 memory[first + 3 * grip.cell..][..3].copy_from_slice(grip.displaced.as_slice());
             });
         }
-    }
-
-    /// Power of moving frames through contacts at the instant `c`, W.
-    pub(super) fn power_of_frames_by_contacts(&self, c: &Configuration, velocity: &[f64]) -> f64 {
-        let mut sum = 0.0;
-        for (contact, _, element) in self.contact_elements().filter(|(contact, ..)| contact.body().is_none()) {
-            let rate = contact.surface.marker.bare().pose_t(c)[0];
-            contact.each_touch(element, c, &Passage::with_velocity(velocity), |touch| {
-                sum -= touch.work_on_carrier(&rate.place, &rate.axes);
-            });
-        }
-        sum
     }
 
     /// Checks that no beam has run through a surface over a step or increment from `state` to `c`.

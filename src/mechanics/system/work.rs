@@ -135,7 +135,7 @@ impl System {
     /// Power of moving frames through springs at the instant `c`, W.
     pub fn power_of_frames(&self, c: &Configuration, velocity: &[f64]) -> f64 {
         let power = |spring: &Spring| spring.power(&self.relative_coordinates[spring.coordinate], c, velocity)[0];
-        self.springs.iter().map(power).sum::<f64>() + self.power_of_frames_by_contacts(c, velocity)
+        self.springs.iter().map(power).sum()
     }
 
     /// Sets what a step from `c` with the velocities `velocity` starts with: `starts` of elements, and `strain_rates`

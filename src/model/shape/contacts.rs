@@ -8,8 +8,11 @@ use crate::model::file::entries::contact::ContactSpec;
 pub fn contact_radius(document: &Document, written: &ContactSpec, beam: usize) -> f64 {
     written.radius.map_or_else(
         || {
-            let section = sections::at_start(document, &document.sections[document.beams[beam].section]);
-            section.outline.size().map_or(0.0, |size| 0.5 * size[0].max(size[1]))
+            let own = &document.sections[document.beams[beam].section];
+            let outline = sections::at_start(document, own).outline.size().map(|size| size[0].max(size[1]));
+            // 0 keeps water off a beam, and says nothing of its size.
+            let diameter = own.immersion.outer_diameter.map(|number| document.value(number)).filter(|own| *own > 0.0);
+            0.5 * diameter.or(outline).unwrap_or(0.0)
         },
         |radius| document.value(radius),
     )

@@ -7,9 +7,11 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use serde::{Deserialize, Serialize};
 
-/// Penetrations above these shares of the radius of the beam and of the surface are told.
+/// Penetrations above these shares of the radius of the beam and of that of the surface are told.
 const OF_BEAM: f64 = 0.05;
 const OF_SURFACE: f64 = 0.01;
+/// The same of the size of the system, for a beam without thickness on a plane.
+const OF_SIZE: f64 = 0.01;
 
 /// The contacts that a run has been warned of.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -25,24 +27,27 @@ impl ContactWatch {
         }
         let c = snapshot.of(system, state);
         let found = system.contacts.iter().find_map(|contact| {
-            let round = OF_SURFACE * contact.surface.shape.radius();
             let thick = if contact.radius > 0.0 { OF_BEAM * contact.radius } else { f64::INFINITY };
+            let bounds = [
+                (OF_SURFACE * contact.surface.shape.radius(), "1 % of the radius of the surface"),
+                (thick, "5 % of the radius of the beam"),
+                (OF_SIZE * system.size, "1 % of the size of the mechanism"),
+            ];
+            let (most, of) = bounds.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
             let mut deepest = 0.0_f64;
             for element in &system.mesh.elements[contact.elements.clone()] {
                 contact.each_touch(element, &c, &Passage::Rest, |touch| deepest = deepest.max(touch.penetration));
             }
-            let (most, of) = if round < thick { (round, "surface") } else { (thick, "beam") };
             (deepest > most).then_some((contact, deepest, of))
         });
         let (contact, depth, of) = found?;
         self.warned = true;
         Some(format!(
-            "contact {} is penetrated by {depth:.2e} m on surface {} at t = {} s, more than {} of the radius of the \
-             {of}: its stiffness of {:.2e} N/m2 decides the answer; raise {}.stiffness",
+            "contact {} is penetrated by {depth:.2e} m on surface {} at t = {} s, more than {of}: its stiffness of \
+             {:.2e} N/m2 decides the answer; raise {}.stiffness, or draw the beam outside of the surface",
             contact.name,
             contact.surface.name,
             decimal(state.instant()),
-            if of == "beam" { "5 %" } else { "1 %" },
             contact.law.stiffness,
             contact.name
         ))
