@@ -159,8 +159,12 @@ impl Contact {
             Passage::Step(_) => Arms::over(carriers, from),
             _ => Arms::at(carriers[1], from[1]),
         };
-        let middle = (points[0] + points[1]) * 0.5;
-        let normal = axes * self.surface.shape.normal(&middle).normalize();
+        // An equilibrium is read where it ends: with another normal it would have another force.
+        let seen = match passage {
+            Passage::Step(_) => (points[0] + points[1]) * 0.5,
+            _ => points[1],
+        };
+        let normal = axes * self.surface.shape.normal(&seen).normalize();
         let across = Mat3::identity() - normal * normal.transpose();
         // The surface of the beam is on the other side of its axis.
         let lever = normal * -self.radius;

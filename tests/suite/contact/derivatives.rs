@@ -94,3 +94,30 @@ fn tangents_of_normal_forces() {
 fn tangents_of_friction() {
     check(SURFACES[0], "friction = 0.3\nfriction_stiffness = 20", 1e-2);
 }
+
+/// The damping matrix is the derivative of the forces with respect to the velocities, which they are linear in.
+#[test]
+fn damping_matrices() {
+    for surface in SURFACES {
+        let (system, mut state) = built(&model(surface, "damping = 0.3"));
+        let mut random = Random(9);
+        state.velocity = state.q.iter().map(|_| 0.1 * random.signed()).collect();
+        let [along, left] = [(); 2].map(|()| state.q.iter().map(|_| random.signed()).collect::<Vec<_>>());
+        let mut frames = FrameCache::default();
+        frames.set(&system, &state.q, &state.triads);
+        let c = system.configuration(&state.q, &frames, &state, &state.prescribed);
+        let excitation = Excitation::default();
+        let mut blocks = Blocks::default();
+        system.push_tangent_blocks(&mut blocks);
+        system.set_damping(&c, &state.velocity, &excitation, &mut blocks);
+        let found = blocks.form(&left, &along);
+        let [plus, minus] = [1e-3, -1e-3].map(|share| {
+            let velocity: Vec<f64> = state.velocity.iter().zip(&along).map(|(v, change)| v + share * change).collect();
+            let mut forces = vec![0.0; velocity.len()];
+            system.forces(&c, &Passage::with_velocity(&velocity), &excitation, &mut forces);
+            forces.iter().zip(&left).map(|(force, weight)| force * weight).sum::<f64>()
+        });
+        let expected = (plus - minus) / 2e-3;
+        assert!(found.abs() > 1e-3 && (found / expected - 1.0).abs() < 1e-8, "{surface}: {found} {expected}");
+    }
+}

@@ -3,6 +3,7 @@
 mod derivatives;
 mod energy;
 mod friction;
+mod messages;
 mod sheave;
 mod states;
 mod statics;

@@ -120,3 +120,30 @@ fn a_lifted_end() {
     // The touching part ends where the beam lifts off, by some roots of the fourth order of the penetration less.
     assert!((2.0 - lying - 1.12680471799).abs() < 0.05, "{lying}");
 }
+
+/// A clamped beam that is pressed on a post, with friction and thickness: what its section at the clamp bears is the
+/// reaction, and both together are what the load and the post leave. Positions times the axial stiffness have a round-off
+/// of 1e-9 N.
+#[test]
+fn sections_bear_what_is_touched() {
+    let text = "format = 1\n[model]\nname = \"On_a_post\"\ngravity = [0, 0, -10]\n\
+         [section.s]\nshape = \"rigidities\"\nEA = 1e5\nEI_y = 10\nEI_z = 10\nGJ = 10\nline_density = 1\n\
+         [beam.bar]\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 7\n\
+         [joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"bar.start\"\n\
+         [surface.post]\nshape = \"cylinder\"\naxis = [0.2, 1, 0]\nradius = 0.1\noffset = [0.6, 0, -0.12]\n\
+         [contact.rest]\nof = \"bar\"\nwith = \"post\"\nstiffness = 1e6\nradius = 0.01\nfriction = 0.2\n\
+         [load.push]\nat = \"bar.end\"\nforce = [2, 1, -20]\n\
+         [output.root]\nat = \"root\"\nquantities = [\"reaction_force\", \"reaction_moment\"]\n\
+         [output.foot]\nat = \"bar.start\"\nquantities = [\"section_force\", \"section_moment\"]\n\
+         [output.post]\nat = \"rest\"\nquantities = [\"reaction_force\", \"friction_force\"]\n\
+         [simulation]\nanalysis = \"static\"\nstop = 1\n";
+    let simulation = start(text);
+    let [force, moment] = ["root.reaction_force", "root.reaction_moment"].map(|name| vector(&simulation, name));
+    let [borne, bent] = ["foot.section_force", "foot.section_moment"].map(|name| vector(&simulation, name));
+    // The section at the clamp has global axes; it bears the reaction with the other sign.
+    assert!((force + borne).norm() < 1e-7 && (moment + bent).norm() < 1e-7, "{force:?} {borne:?} {moment:?} {bent:?}");
+    let touched = vector(&simulation, "post.reaction_force");
+    assert!(touched.z > 10.0 && value(&simulation, "post.friction_force") > 0.1, "{touched:?}");
+    let left = force + touched + ancf14::math::Vec3::new(2.0, 1.0, -30.0);
+    assert!(left.norm() < 1e-7, "{left:?}");
+}

@@ -1,0 +1,90 @@
+//! Notes and warnings of contacts, copies with contacts, and numbers that are tuned while a model runs.
+
+use crate::running::{run, start, value};
+use ancf14::fmi::{Model, Value};
+use ancf14::model::document::Document;
+use ancf14::model::notes::notes;
+
+/// A bar of 1 m and 1 kg on a floor of `stiffness`, with a post beside it that it does not touch.
+fn bar(elements: usize, stiffness: &str, rest: &str) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Bar\"\ngravity = [0, 0, -10]\n\
+         [section.s]\nshape = \"rigidities\"\nEA = 1e5\nEI_y = 10\nEI_z = 10\nGJ = 10\nline_density = 1\n{rest}\n\
+         [beam.bar]\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = {elements}\n\
+         [surface.floor]\nshape = \"plane\"\nnormal = [0, 0, 1]\n\
+         [surface.post]\nshape = \"cylinder\"\naxis = [0, 1, 0]\nradius = 0.2\noffset = [0, 0, 3]\n\
+         [contact.base]\nof = \"bar\"\nwith = [\"floor\", \"post\"]\n{stiffness}\n\
+         [output.load]\nat = \"base\"\nquantities = [\"penetration\", \"reaction_force\"]\n\
+         [simulation]\ninitial = \"equilibrium\"\nstop = 0.1\nstep = 0.01\n"
+    )
+}
+
+/// Elements longer than 0.6 of the radius of a cylinder are noted, with the number that is enough; a beam that may come
+/// to lie on the ground is not said to be loose.
+#[test]
+fn coarse_meshes_are_noted() {
+    let notes = |elements| notes(&Document::parse("m.toml", &bar(elements, "", ""), &[]).unwrap());
+    let coarse = notes(8);
+    assert_eq!(coarse.len(), 1, "{coarse:?}");
+    assert!(coarse[0].contains("up to 0.125 m long") && coarse[0].contains("elements = 10 or more"), "{coarse:?}");
+    assert_eq!(notes(9), Vec::<String>::new());
+}
+
+/// A floor that gives by more than a hundredth of the mechanism is told, a stiff one is not.
+#[test]
+fn soft_contacts_are_warned_of() {
+    let warnings = |stiffness: &str| {
+        let mut simulation = start(&bar(10, stiffness, ""));
+        run(&mut simulation, 0.05, 0.1, |_| {});
+        let all = simulation.take_warnings();
+        all.into_iter().filter(|warning| warning.contains("is penetrated")).collect::<Vec<_>>()
+    };
+    let soft = warnings("stiffness = 200");
+    assert_eq!(soft.len(), 1, "{soft:?}");
+    assert!(soft[0].contains("5.00e-2 m on surface floor") && soft[0].contains("1 % of the size"), "{soft:?}");
+    assert_eq!(warnings("stiffness = 1e5"), Vec::<String>::new());
+}
+
+/// By default a beam touches with half its outer diameter; a radius of the contact says otherwise.
+#[test]
+fn beams_are_as_thick_as_their_sections_say() {
+    let height = |rest: &str, radius: &str| {
+        let text = bar(10, &format!("stiffness = 1e5\n{radius}"), rest)
+            .replace("[output.load]", "[output.middle]\nat = \"bar@0.5\"\nquantities = [\"position\"]\n[output.load]");
+        value(&start(&text), "middle.position[3]")
+    };
+    // Its weight of 10 N/m presses it in by 0.1 mm.
+    for (rest, radius, exact) in [("", "", 0.0), ("outer_diameter = 0.02", "", 0.01), ("", "radius = 0.03", 0.03)] {
+        let found = height(rest, radius);
+        assert!((found - (exact - 1e-4)).abs() < 1e-9, "{rest} {radius}: {found}");
+    }
+}
+
+/// Stiffness is tunable: twice as stiff, the floor gives half as much.
+#[test]
+fn stiffness_is_tuned() {
+    let mut simulation = start(&bar(10, "stiffness = 1e4\ndamping = 100", "").replace("stop = 0.1", "stop = 5"));
+    let stiffness = simulation.variables().iter().position(|variable| variable.name == "base.stiffness").unwrap();
+    assert!((value(&simulation, "load.penetration") - 1e-3).abs() < 1e-9);
+    simulation.set_value(stiffness, Value::Real(2e4)).unwrap();
+    run(&mut simulation, 0.1, 5.0, |_| {});
+    let found = value(&simulation, "load.penetration");
+    assert!((found - 5e-4).abs() < 5e-6, "{found}");
+}
+
+/// Copies have contacts of their own: names in lists are those of the copy.
+#[test]
+fn copies_touch_their_own_surfaces() {
+    let text = "format = 1\n[model]\nname = \"Copies\"\ngravity = [0, 0, -10]\n\
+        [section.s]\nshape = \"rigidities\"\nEA = 1e5\nEI_y = 10\nEI_z = 10\nGJ = 10\nline_density = 1\n\
+        [copy.stand]\ncount = 2\nmove = [0, \"2*k\", \"k\"]\n\
+        [copy.stand.beam.bar]\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 4\n\
+        [copy.stand.surface.floor]\nshape = \"plane\"\nnormal = [0, 0, 1]\n\
+        [copy.stand.surface.roof]\nshape = \"plane\"\nnormal = [0, 0, -1]\noffset = [0, 0, 0.5]\n\
+        [copy.stand.contact.base]\nof = [\"bar\"]\nwith = [\"floor\", \"roof\"]\nstiffness = 1e4\n\
+        [output.second]\nat = \"base_2\"\nquantities = [\"reaction_force\"]\n\
+        [simulation]\ninitial = \"equilibrium\"\nstop = 0.1\nstep = 0.01\n";
+    let simulation = start(text);
+    let force = value(&simulation, "second.reaction_force[3]");
+    assert!((force - 10.0).abs() < 1e-6, "{force}");
+}
