@@ -135,6 +135,9 @@ fn sections_bear_what_is_touched() {
          [load.push]\nat = \"bar.end\"\nforce = [2, 1, -20]\n\
          [output.root]\nat = \"root\"\nquantities = [\"reaction_force\", \"reaction_moment\"]\n\
          [output.foot]\nat = \"bar.start\"\nquantities = [\"section_force\", \"section_moment\"]\n\
+         [output.before]\nat = \"bar.node[5]\"\nquantities = [\"section_force\", \"section_moment\"]\nside = \"before\"\n\
+         [output.after]\nat = \"bar.node[5]\"\nquantities = [\"section_force\", \"section_moment\"]\n\
+         [output.beyond]\nat = \"bar@0.7\"\nquantities = [\"section_force\"]\n\
          [output.post]\nat = \"rest\"\nquantities = [\"reaction_force\", \"friction_force\"]\n\
          [simulation]\nanalysis = \"static\"\nstop = 1\n";
     let simulation = start(text);
@@ -142,6 +145,14 @@ fn sections_bear_what_is_touched() {
     let [borne, bent] = ["foot.section_force", "foot.section_moment"].map(|name| vector(&simulation, name));
     // The section at the clamp has global axes; it bears the reaction with the other sign.
     assert!((force + borne).norm() < 1e-7 && (moment + bent).norm() < 1e-7, "{force:?} {borne:?} {moment:?} {bent:?}");
+    // On both sides of the node between an element that touches and one that does not; and behind the post in the
+    // element that touches, where only the load and the weight of 0.3 m are left.
+    for quantity in ["section_force", "section_moment"] {
+        let [before, after] = ["before", "after"].map(|side| vector(&simulation, &format!("{side}.{quantity}")));
+        assert!((before - after).norm() < 1e-6, "{quantity}: {before:?} {after:?}");
+    }
+    let [beyond, left] = [vector(&simulation, "beyond.section_force"), ancf14::math::Vec3::new(2.0, 1.0, -23.0)];
+    assert!((beyond.norm() / left.norm() - 1.0).abs() < 1e-6, "{beyond:?} {left:?}");
     let touched = vector(&simulation, "post.reaction_force");
     assert!(touched.z > 10.0 && value(&simulation, "post.friction_force") > 0.1, "{touched:?}");
     let left = force + touched + ancf14::math::Vec3::new(2.0, 1.0, -30.0);
