@@ -42,10 +42,12 @@ pub struct Pressing {
     force: f64,
     /// The force times the position where it acts, N.
     moment: f64,
-    /// Length on which it acts, m.
-    length: f64,
+    /// Integral of the square of the force per length, N²/m.
+    squares: f64,
     /// Derivative of the force with respect to `y'`, over a step at its end, N/m.
     by_position: Vec3,
+    /// The same of the squares, N²/m².
+    squares_by_position: Vec3,
 }
 
 /// The pressure in each cell of an element.
@@ -57,8 +59,18 @@ impl Pressing {
         let own = &mut cells[touch.cell];
         own.force += touch.pressing;
         own.moment += touch.pressing * touch.xi;
-        own.length += touch.length;
+        let density = touch.pressing / touch.length;
+        own.squares += touch.pressing * density;
         own.by_position += touch.by_position;
+        own.squares_by_position += touch.by_position * (2.0 * density);
+    }
+
+    /// The length that the force is spread over, m, and its derivative with respect to `y'`: the whole length of a force
+    /// that is the same everywhere. Where the force is small, it does not count: the length changes without a jump
+    /// while parts of the element lift off.
+    fn length(&self) -> (f64, Vec3) {
+        let share = self.force / self.squares;
+        (self.force * share, (self.by_position * 2.0 - self.squares_by_position * share) * share)
     }
 }
 
@@ -78,10 +90,8 @@ pub struct Grip {
     pub force: Vec3,
     /// Its derivative with respect to the slip, at the end of a step, N/m.
     pub by_slip: Mat3,
-    /// Its derivative with respect to the force that presses, 1.
-    pub by_pressing: Vec3,
-    /// Derivative of that force with respect to `y'`, N/m.
-    pub pressing_by_position: Vec3,
+    /// Its derivative with respect to `y'` by the pressure, N/m.
+    pub by_position: Mat3,
     /// How the slip depends on the coordinates of the element.
     pub by_element: ByElement,
     /// How `y'` does.
@@ -151,10 +161,10 @@ impl Contact {
         };
         let carriers = ends.map(|end| self.carrier(end));
         let (seat, axes) = self.seat();
-        let points = [0, 1].map(|end| self.lying(element, &carriers[end], ends[end]).point(xi));
-        let whole = points.map(|point| seat + axes * point);
         let weights = hermite::shape(xi, element.length());
         let from = [0, 1].map(|end| arm(element, &weights, &carriers[end], ends[end]));
+        let whole = [0, 1].map(|end| carriers[end].axes.tr_mul(&from[end]));
+        let points = whole.map(|point| axes.tr_mul(&(point - seat)));
         let arms = match passage {
             Passage::Step(_) => Arms::over(carriers, from),
             _ => Arms::at(carriers[1], from[1]),
@@ -188,20 +198,23 @@ impl Contact {
             }
             _ => (Vec3::zeros(), false),
         };
-        let stiffness = friction.stiffness * pressing.length;
-        let limit = friction.coefficient * pressing.force / stiffness;
-        let (displaced, first, first_by_limit) = cut(&(across * before + slip), limit);
-        let slides = displaced.norm() >= SLIDING * limit;
-        let mut force = displaced * stiffness;
+        let (length, length_by_position) = pressing.length();
+        let (stiffness, limit) = (friction.stiffness * length, friction.coefficient * pressing.force);
+        let stuck = across * before + slip;
+        let (mut force, first, first_by_limit) = cut(&(stuck * stiffness), limit);
+        let (displaced, slides) = (force / stiffness, force.norm() >= SLIDING * limit);
         let mut by_slip = first * across * stiffness;
-        let mut by_pressing = first_by_limit * friction.coefficient;
+        let (mut by_limit, mut by_stiffness) = (first_by_limit, first * stuck);
         if let (true, Passage::Step(step)) = (is_step, passage) {
-            let beyond = displaced + slip - rate * (0.5 * step.duration);
-            let (ahead, second, second_by_limit) = cut(&beyond, limit);
-            force = ahead * stiffness;
+            let further = slip - rate * (0.5 * step.duration);
+            let (ahead, second, second_by_limit) = cut(&(force + further * stiffness), limit);
+            force = ahead;
             by_slip = second * (first + Mat3::identity()) * across * stiffness;
-            by_pressing = (second * first_by_limit + second_by_limit) * friction.coefficient;
+            by_limit = second * by_limit + second_by_limit;
+            by_stiffness = second * (by_stiffness + further);
         }
+        let by_position = by_limit * (pressing.by_position * friction.coefficient).transpose()
+            + by_stiffness * (length_by_position * friction.stiffness).transpose();
         let by_frame = match body {
             Some(_) => Vec3::zeros(),
             None => across * (carrier_move(&carriers, &arms) - body_turn.cross(&lever)),
@@ -211,8 +224,7 @@ impl Contact {
             xi,
             force,
             by_slip,
-            by_pressing,
-            pressing_by_position: pressing.by_position,
+            by_position,
             by_element: rows.by_element,
             position_by_element: rows.position_by_element,
             by_body: rows.by_body,
@@ -314,13 +326,12 @@ fn sum<const COLUMNS: usize>(rows: &SMatrix<f64, 3, COLUMNS>, value: impl Fn(usi
 impl Grip {
     /// Derivative of the friction with respect to the coordinates of the element at the end.
     pub fn by_end(&self) -> ByElement {
-        self.by_slip * self.by_element
-            + self.by_pressing * (self.pressing_by_position.transpose() * self.position_by_element)
+        self.by_slip * self.by_element + self.by_position * self.position_by_element
     }
 
     /// The same with respect to the coordinates of the body.
     pub fn by_body_end(&self) -> ByBody {
-        self.by_slip * self.by_body + self.by_pressing * (self.pressing_by_position.transpose() * self.position_by_body)
+        self.by_slip * self.by_body + self.by_position * self.position_by_body
     }
 
     /// Friction on the beam at its axis, in global axes: force, N, and moment, N m.

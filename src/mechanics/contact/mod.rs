@@ -14,8 +14,8 @@ use self::law::Law;
 use self::pieces::Lying;
 use self::shape::Shape;
 use crate::math::{Mat3, Vec3};
-use crate::mechanics::beam::ancf14::coordinates::SHAPE_PLACES;
 use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::body::kinematics;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
@@ -62,7 +62,10 @@ impl Contact {
 
     /// The position and the axes of the ground, the frame or the body that carries the surface.
     pub fn carrier(&self, c: &Configuration) -> Pose {
-        self.surface.marker.bare().pose(c)
+        match self.surface.marker {
+            Marker::Body { start, .. } => kinematics::pose(c.beams.q, start),
+            _ => self.surface.marker.bare().pose(c),
+        }
     }
 
     /// Place and axes of the surface relative to its carrier.
@@ -78,24 +81,24 @@ impl Contact {
 
     /// How `element` lies in the axes of the surface, which `carrier` carries.
     fn lying(&self, element: &AnyElement, carrier: &Pose, c: &Configuration) -> Lying {
-        let q = &c.beams.q[element.coordinates()];
+        let Lying { vectors: [start, slope, end, last_slope], length } = Lying::of(element, c);
         let (point, axes) = self.seat();
         let into = axes.transpose() * carrier.axes.transpose();
-        let mut vectors = SHAPE_PLACES.map(|start| Vec3::new(q[start], q[start + 1], q[start + 2]));
-        for (number, vector) in vectors.iter_mut().enumerate() {
-            // Slopes have no position.
-            *vector = match number % 2 {
-                0 => into * (*vector - carrier.place) - axes.tr_mul(&point),
-                _ => into * *vector,
-            };
-        }
-        Lying { vectors, length: element.length() }
+        let place = axes.tr_mul(&point);
+        // Slopes have no position.
+        let [start, end] = [start, end].map(|vector| into * (vector - carrier.place) - place);
+        Lying { vectors: [start, into * slope, end, into * last_slope], length }
     }
 
     /// Whether an element touches the surface neither at one of both ends of a step nor on the way.
-    fn is_clear(&self, [start, end]: [&Lying; 2]) -> bool {
-        let middles = [start, end].map(|own| own.point(0.5));
+    fn is_clear(&self, element: &AnyElement, carriers: &[Pose; 2], configurations: [&Configuration; 2]) -> bool {
+        let lying = configurations.map(|c| Lying::of(element, c));
+        let (point, axes) = self.seat();
+        let middles = [0, 1].map(|end| {
+            let from = lying[end].point(0.5) - carriers[end].place;
+            axes.tr_mul(&(carriers[end].axes.tr_mul(&from) - point))
+        });
         let gap = middles.iter().map(|point| self.surface.shape.least_distance(point)).fold(f64::INFINITY, f64::min);
-        gap - self.radius - (middles[1] - middles[0]).norm() > start.reach().max(end.reach())
+        gap - self.radius - (middles[1] - middles[0]).norm() > lying[0].reach().max(lying[1].reach())
     }
 }

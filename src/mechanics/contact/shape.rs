@@ -58,6 +58,11 @@ fn across(y: &Vec3) -> Vec3 {
     Vec3::new(0.0, y.y, y.z)
 }
 
+/// Distance from the axis, m.
+fn axis_distance(y: &Vec3) -> f64 {
+    (y.y * y.y + y.z * y.z).sqrt()
+}
+
 /// The secant of `|y|` over a step between two vectors, and its derivative: `(y₀ + y₁)/(|y₀| + |y₁|)`.
 fn secant_of_norm(start: &Vec3, end: &Vec3) -> Secant {
     let (length, sum) = (end.norm().max(NO_LENGTH), (start.norm() + end.norm()).max(NO_LENGTH));
@@ -71,16 +76,16 @@ impl Shape {
         match *self {
             Self::Plane => y.x,
             Self::Cylinder { half_length, .. } if y.x.abs() > half_length => f64::INFINITY,
-            Self::Cylinder { radius, inside, .. } => outwards(inside) * (y.y.hypot(y.z) - radius),
+            Self::Cylinder { radius, inside, .. } => outwards(inside) * (axis_distance(y) - radius),
             Self::Sphere { radius, inside } => outwards(inside) * (y.norm() - radius),
             Self::Sheave { radius, groove } => {
-                let beyond = y.y.hypot(y.z) - (radius + groove);
+                let beyond = axis_distance(y) - (radius + groove);
                 if y.x.abs() > RIM * groove || beyond > (RIM - 1.0) * groove {
                     f64::INFINITY
                 } else if beyond > 0.0 {
                     groove - y.x.abs()
                 } else {
-                    groove - beyond.hypot(y.x)
+                    groove - (beyond * beyond + y.x * y.x).sqrt()
                 }
             }
         }
@@ -90,9 +95,11 @@ impl Shape {
     pub fn least_distance(&self, y: &Vec3) -> f64 {
         match *self {
             Self::Cylinder { radius, half_length, inside } => {
-                (outwards(inside) * (y.y.hypot(y.z) - radius)).max(y.x.abs() - half_length)
+                (outwards(inside) * (axis_distance(y) - radius)).max(y.x.abs() - half_length)
             }
-            Self::Sheave { radius, groove } => (y.y.hypot(y.z) - (radius + RIM * groove)).max(y.x.abs() - RIM * groove),
+            Self::Sheave { radius, groove } => {
+                (axis_distance(y) - (radius + RIM * groove)).max(y.x.abs() - RIM * groove)
+            }
             Self::Plane | Self::Sphere { .. } => self.distance(y),
         }
     }
@@ -167,13 +174,13 @@ fn outwards(inside: bool) -> f64 {
 fn secant_of_groove(pitch: f64, start: &Vec3, end: &Vec3) -> Secant {
     let radial = secant_of_norm(&across(start), &across(end));
     // Above the middle of the groove its sides are flat.
-    let in_groove = |y: &Vec3| Vec3::new(y.x, (y.y.hypot(y.z) - pitch).min(0.0), 0.0);
+    let in_groove = |y: &Vec3| Vec3::new(y.x, (axis_distance(y) - pitch).min(0.0), 0.0);
     let [first, last] = [in_groove(start), in_groove(end)];
     let Secant { direction: inner, by_end: inner_by_end } = secant_of_norm(&first, &last);
     // Share of the way along the radius that lies below the middle.
-    let [below, whole] = [last.y - first.y, end.y.hypot(end.z) - start.y.hypot(start.z)];
+    let [below, whole] = [last.y - first.y, axis_distance(end) - axis_distance(start)];
     let share = if whole == 0.0 { f64::from(first.y < 0.0) } else { below / whole };
-    let end_radius = end.y.hypot(end.z).max(NO_LENGTH);
+    let end_radius = axis_distance(end).max(NO_LENGTH);
     let out = across(end) / end_radius;
     let is_below = f64::from(last.y < 0.0);
     let share_by_end = if whole == 0.0 { 0.0 } else { (is_below - share) / whole };

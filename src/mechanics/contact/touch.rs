@@ -78,11 +78,11 @@ impl Contact {
     fn each_touch_over(&self, element: &AnyElement, step: &TimeStep, take: &mut dyn FnMut(&Touch)) {
         let configurations = [step.start, step.end];
         let carriers = configurations.map(|c| self.carrier(c));
-        let lying = [0, 1].map(|end| self.lying(element, &carriers[end], configurations[end]));
-        let [start, end] = &lying;
-        if self.is_clear([start, end]) {
+        if self.is_clear(element, &carriers, configurations) {
             return;
         }
+        let lying = [0, 1].map(|end| self.lying(element, &carriers[end], configurations[end]));
+        let [start, end] = &lying;
         let (shape, radius, (_, axes)) = (&self.surface.shape, self.radius, self.seat());
         each_point(shape, radius, [start, end], |cell, xi, share| {
             let weights = hermite::shape(xi, element.length());
@@ -122,10 +122,10 @@ impl Contact {
         take: &mut dyn FnMut(&Touch),
     ) {
         let carrier = self.carrier(c);
-        let lying = self.lying(element, &carrier, c);
-        if self.is_clear([&lying, &lying]) {
+        if self.is_clear(element, &[carrier; 2], [c; 2]) {
             return;
         }
+        let lying = self.lying(element, &carrier, c);
         let (shape, radius, (_, axes)) = (&self.surface.shape, self.radius, self.seat());
         each_point(shape, radius, [&lying, &lying], |cell, xi, share| {
             let point = lying.point(xi);
@@ -181,10 +181,11 @@ impl Contact {
         if self.surface.shape.radius().is_infinite() {
             return false;
         }
-        let lying = [start, end].map(|c| self.lying(element, &self.carrier(c), c));
-        if self.is_clear([&lying[0], &lying[1]]) {
+        let (configurations, carriers) = ([start, end], [start, end].map(|c| self.carrier(c)));
+        if self.is_clear(element, &carriers, configurations) {
             return false;
         }
+        let lying = [0, 1].map(|end| self.lying(element, &carriers[end], configurations[end]));
         /// Points of an element that are looked at: a beam does not bend around a core between them.
         const POINTS: usize = 5;
         (0..POINTS).any(|number| {

@@ -68,7 +68,10 @@ impl Measures {
         largest.entry("N").and_modify(|force| *force = force.max(of_moments));
         let scale = |(name, unit, span): &(&str, &str, Span)| {
             let largest = largest.get(kind(name, unit)).copied().unwrap_or(0.0);
-            let own = self.scale(unit, *span);
+            let own = match self.scale(unit, *span) {
+                own if own > 0.0 && is_of_contact(name) => own.max(span.size),
+                own => own,
+            };
             match unit.starts_with('m') || unit.starts_with("rad") {
                 // A tilt is not measured by the turns of a shaft, nor a bearing by the way of a crane.
                 true => own,
@@ -108,6 +111,12 @@ impl Measures {
         };
         natural.max(of_round_off)
     }
+}
+
+/// Whether a column tells how much of a beam touches a surface: 0 where none does, so that it counts from there.
+fn is_of_contact(name: &str) -> bool {
+    const QUANTITIES: [&str; 4] = [".contact_length", ".penetration", ".sliding", ".wrap_angle"];
+    QUANTITIES.iter().any(|quantity| name.ends_with(quantity))
 }
 
 /// Replaces the rotation vectors of `other`, which begin at the numbers `rotations`, by those of `own` plus the turn
