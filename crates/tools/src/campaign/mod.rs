@@ -11,4 +11,4 @@ pub mod page;
 mod reference;
 mod run;
 pub mod verdict;
-mod warning;
+pub mod warning;
