@@ -122,7 +122,7 @@ pub fn tell(summary: &Summary, simulation: &Simulation, outcome: Option<&Outcome
     if let Some(outcome) = outcome {
         say(&outcome.line())?;
     }
-    if outcome.is_some_and(|outcome| outcome.runs > 1) {
+    if outcome.is_some_and(|outcome| outcome.runs > 1 || outcome.is_path) {
         // The comparison of the runs has told it.
         return table(&summary.columns, document.row_heading()).map_or(Ok(()), |table| say(&table));
     }

@@ -1,11 +1,14 @@
 //! A model file as typed data: everything is there, checked as far as it can be without building the mechanism.
 
 use super::collisions;
+use super::entries::actuator::Action;
 use super::entries::drive::DriveSpec;
 use super::entries::function;
+use super::entries::load::Target;
 use super::entries::overview::ModelSpec;
 use super::entries::parameters;
 use super::entries::simulation::{Analysis, SimulationSpec, Steps};
+use super::entries::spring::SpringSpec;
 use super::entries::water::WaterSpec;
 use super::entries::winch::WinchSpec;
 use super::entries::{Parts, keys_of};
@@ -15,6 +18,7 @@ use super::objections;
 use super::overrides;
 use super::parameter::{Parameter, typed};
 use super::range::Range;
+use super::reader::anchor::Anchor;
 use super::reader::{Context, Reader};
 use super::released;
 use crate::model::expression::function::Function;
@@ -211,6 +215,20 @@ impl Document {
     /// Where the text of something comes from: copies of one text have one origin.
     pub fn origin_place(&self, place: Place) -> Place {
         self.source.told(place).place
+    }
+
+    /// Where springs, actuators and loads act at points.
+    pub fn anchors_of_forces(&self) -> impl Iterator<Item = Anchor> {
+        let springs = self.springs.iter().filter_map(SpringSpec::ends).flatten();
+        let actuators = self.actuators.iter().filter_map(|actuator| match actuator.action {
+            Action::Between { a, b } => Some([a, b]),
+            Action::Joint { .. } => None,
+        });
+        let loads = self.loads.iter().filter_map(|load| match load.target {
+            Target::At(anchor) => Some(anchor),
+            Target::On(_) => None,
+        });
+        springs.chain(actuators.flatten()).chain(loads)
     }
 
     /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help`

@@ -8,8 +8,10 @@
 //!
 //! The [`Refinement`] decides; its caller runs the models, writes rows and shows them to [`Refinement::look`].
 
+mod nearest;
 mod words;
 
+use self::nearest::Nearest;
 use super::run::accuracy::{Differences, Inexact};
 use super::run::levels;
 use super::run::rows;
@@ -38,6 +40,8 @@ const STEADY: f64 = 1.5;
 /// Orders in the length of the elements, of configurations and of the others.
 const ORDER_OF_MESH: f64 = 3.0;
 const ORDER_OF_MESH_OF_RATES: f64 = 2.0;
+/// An error on a mesh is at least so many times that on one twice as fine, for all that is observed: less is noise.
+const LEAST_GAIN: f64 = 1.5;
 /// A second difference that is more than this share of the first one has not fallen,
 const FALLEN: f64 = 0.7;
 /// and where it is more than this many times what a reader expects, the motion itself is sensitive.
@@ -71,6 +75,8 @@ pub struct Outcome {
     pub chooses_mesh: bool,
     /// Whether it is a motion, not a row of equilibria.
     pub is_motion: bool,
+    /// Whether each run is compared with a finer mesh row by row, the only one too.
+    pub is_path: bool,
     /// The largest error of a family, as a share of what it is compared with, and its name; none: nothing is judged.
     pub worst: Option<Inexact>,
     /// How it ended.
@@ -95,10 +101,14 @@ pub struct Refinement {
     /// Rows of the run before, and of the one that goes on.
     rows: [Vec<f64>; 2],
     differences: Differences,
+    /// Of paths by arc length: what takes the place of the rows of the run before.
+    nearest: Option<Nearest>,
     /// Differences of the last two pairs of runs, not divided.
     distances: Vec<Inexact>,
     /// By what the steps and the meshes of the run that goes on are finer than those before.
     ratios: [f64; 2],
+    /// By what the steps of the last run that counts are finer than those of the first.
+    divided: f64,
     /// The estimates of the first run of each family because of the steps and of the mesh, as far as they have fallen
     /// since.
     estimates: [Vec<Inexact>; 2],
@@ -121,10 +131,7 @@ impl Refinement {
     pub fn of(simulation: &mut Simulation, budget: f64) -> Option<Self> {
         let document = simulation.document();
         let is_motion = document.simulation.analysis == Analysis::Dynamic;
-        if document.simulation.follow != Follow::Time {
-            // The same equilibrium has another arc length with every mesh.
-            return None;
-        }
+        let is_path = document.simulation.follow != Follow::Time;
         let chooses_steps = is_motion && document.pacing(0.0).is_some();
         let chosen: Vec<bool> = document.beams.iter().map(|beam| beam.is_meshed_by_program).collect();
         let numbers = (rows::last(simulation.about())? + 1) as f64 * simulation.results().len() as f64;
@@ -132,6 +139,9 @@ impl Refinement {
             return None;
         }
         simulation.note_steps();
+        if is_path {
+            simulation.leave_mesh_error();
+        }
         Some(Self {
             budget,
             costs: [0.0; 2],
@@ -141,8 +151,10 @@ impl Refinement {
             chosen,
             rows: [Vec::new(), Vec::new()],
             differences: Differences::default(),
+            nearest: is_path.then(Nearest::default),
             distances: Vec::new(),
             ratios: [1.0; 2],
+            divided: 1.0,
             estimates: [Vec::new(), Vec::new()],
             parts: [0.0; 2],
             worst: None,
@@ -152,6 +164,10 @@ impl Refinement {
 
     /// Looks at a row of the run that goes on. Rows come in their order, the start first.
     pub fn look(&mut self, simulation: &Simulation) {
+        if let Some(nearest) = &mut self.nearest {
+            nearest.look(simulation, &mut self.differences);
+            return;
+        }
         let [before, own] = &mut self.rows;
         let results = simulation.results();
         if let Some(other) = before.get(own.len()..own.len() + results.len()) {
@@ -167,12 +183,18 @@ impl Refinement {
             return None;
         }
         self.runs += 1;
-        let cost = simulation.cost();
+        let rows = self.nearest.as_ref().map_or(0, |nearest| nearest.rows);
+        let cost = simulation.cost() + simulation.cost_of_finer(rows);
         match self.runs {
             1 => self.costs[0] = cost.max(1.0),
             _ => self.costs[1] += cost,
         }
-        let excess = if self.runs == 1 { self.judge_first(simulation) } else { self.judge_pair(simulation) };
+        self.divided *= self.ratios[0];
+        let excess = match (&self.nearest, self.runs) {
+            (Some(_), _) => self.judge_path(simulation),
+            (None, 1) => self.judge_first(simulation),
+            (None, _) => self.judge_pair(simulation),
+        };
         if excess <= 1.0 {
             self.end = Some(End::Reached);
         }
@@ -185,6 +207,7 @@ impl Refinement {
             std::mem::swap(before, own);
             own.clear();
             self.differences = Differences::default();
+            self.nearest = self.nearest.take().map(|_| Nearest::default());
         }
         next
     }
@@ -202,6 +225,7 @@ impl Refinement {
             elements: elements.sum(),
             chooses_mesh: self.chosen.contains(&true),
             is_motion: self.is_motion,
+            is_path: self.nearest.is_some(),
             worst: self.worst.clone(),
             end: self.end.clone().unwrap_or(End::Reached),
             budget: self.budget,
@@ -232,6 +256,28 @@ impl Refinement {
         largest(&all, Inexact::excess)
     }
 
+    /// By what the distance to the path of the finer mesh exceeds what a reader expects.
+    fn judge_path(&mut self, simulation: &Simulation) -> f64 {
+        let left_out = |is_configuration: bool| {
+            let order = if is_configuration { ORDER_OF_MESH } else { ORDER_OF_MESH_OF_RATES };
+            1.0 - 0.5_f64.powf(order)
+        };
+        let mut errors = simulation.distances(&self.differences, |_, is_configuration| left_out(is_configuration));
+        if !self.nearest.as_ref().is_some_and(Nearest::is_complete) {
+            let name = String::from("path.parameter");
+            errors.push(Inexact { name, error: f64::INFINITY, is_rough: false });
+        }
+        let before = std::mem::replace(&mut self.distances, errors.clone());
+        let excess = |all: &[Inexact]| all.iter().map(Inexact::excess).fold(0.0, f64::max);
+        let (own, own_before) = (excess(&errors), excess(&before));
+        if self.runs > 2 && own > FALLEN * own_before && own > SENSITIVE {
+            self.end = Some(End::Sensitive);
+        }
+        self.parts = [0.0, own];
+        self.worst = errors.into_iter().max_by(|a, b| a.error.total_cmp(&b.error));
+        own
+    }
+
     /// By what the difference to the run before exceeds what a reader expects.
     fn judge_pair(&mut self, simulation: &Simulation) -> f64 {
         let distances = simulation.distances(&self.differences, |_, _| 1.0);
@@ -241,10 +287,17 @@ impl Refinement {
             let [old, new] = [&before, &distances].map(|all| all.iter().find(|own| own.name == name));
             old.zip(new).is_some_and(|(old, new)| old.error >= new.error * steps.powf(STEADY))
         };
+        // Equilibria have no other error, so that three runs show how it falls: slowly, as where a load is inside an
+        // element.
+        let observed = |name: &str| {
+            let [old, new] = [&before, &distances].map(|all| all.iter().find(|own| own.name == name));
+            let fallen = old.zip(new).filter(|_| !self.is_motion).map(|(old, new)| old.error / new.error);
+            fallen.filter(|fallen| fallen.is_finite()).map_or(f64::INFINITY, |fallen| fallen.max(LEAST_GAIN))
+        };
         let divisor = |name: &str, is_configuration: bool| {
             let order = if is_configuration || has_fallen(name) { ORDER } else { ORDER_OF_RATES };
             let of_mesh = if is_configuration { ORDER_OF_MESH } else { ORDER_OF_MESH_OF_RATES };
-            let gains = [steps.powf(order), mesh.powf(of_mesh)];
+            let gains = [steps.powf(order), mesh.powf(of_mesh).min(observed(name))];
             let [of_steps, of_mesh] = self.shares(name, gains);
             // The error over each part of the difference.
             let left = |share: f64, gain: f64| if share > 0.0 { share / (gain - 1.0) } else { 0.0 };
@@ -315,7 +368,7 @@ impl Refinement {
             return None;
         };
         self.ratios = [f64::from(parts), finer];
-        let repeated = match self.is_motion {
+        let repeated = match self.is_motion || self.nearest.is_some() {
             true => simulation.repeated(changes, self.chooses_steps.then_some(parts)),
             false => simulation.repeated_at_rest(changes),
         };

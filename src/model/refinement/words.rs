@@ -3,6 +3,10 @@
 use super::{End, Outcome};
 use crate::model::run::accuracy::percent;
 
+/// Runs aim at what a reader expects, to be right to twice that: a result that is off by less is not warned of where
+/// they end early.
+const WARNED: f64 = 2.0;
+
 impl Outcome {
     /// The line about the runs: `3 runs, 24 elements, accuracy reached: 0.060 %`.
     pub fn line(&self) -> String {
@@ -27,11 +31,13 @@ impl Outcome {
     pub fn warning(&self) -> Option<String> {
         let worst = self.worst.as_ref()?;
         let (name, size, runs) = (&worst.name, worst.size(), self.runs);
-        let off = format!("{name} is off by {size} of its range after {runs} runs");
+        let plural = if runs == 1 { "" } else { "s" };
+        let off = format!("{name} is off by {size} of its range after {runs} run{plural}");
         match &self.end {
             End::Reached => None,
             // A single run has warned by its own estimates.
-            End::Budget | End::Failed(_) if runs == 1 => None,
+            End::Budget | End::Failed(_) if runs == 1 && !self.is_path => None,
+            End::Budget | End::Failed(_) if worst.excess() <= WARNED => None,
             End::Budget => Some(format!(
                 "{off}, as their differences tell: the next run would exceed the budget of {} times the cost of the \
                  first one. Give a larger --budget",
@@ -50,5 +56,26 @@ impl Outcome {
                  motion, so that no steps give the same rows to the end. Judge a shorter time, or means over many runs"
             )),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::run::accuracy::Inexact;
+
+    /// A run that its budget ends is warned of beyond 1 %, and a path by arc length after its first run too: it has no
+    /// other estimate.
+    #[test]
+    fn runs_that_end_early_are_warned_of_beyond_their_bar() {
+        let warns = |error: f64, runs: u32, is_path: bool| {
+            let worst = Some(Inexact { name: String::from("tip.position"), error, is_rough: false });
+            let (chooses_mesh, is_motion) = (true, !is_path);
+            let outcome =
+                Outcome { runs, elements: 8, chooses_mesh, is_motion, is_path, worst, end: End::Budget, budget: 20.0 };
+            outcome.warning().is_some()
+        };
+        assert_eq!([warns(0.009, 2, false), warns(0.011, 2, false)], [false, true]);
+        assert_eq!([warns(0.011, 1, false), warns(0.011, 1, true)], [false, true]);
     }
 }

@@ -34,6 +34,8 @@ pub const ORDER: i32 = 3;
 pub const ORDER_OF_TWIST: i32 = 2;
 /// How fast the mesh error of velocities, strains and forces falls.
 const ORDER_OF_RATES: i32 = 2;
+/// The result of a path by arc length that tells its load.
+const PARAMETER: &str = "path.parameter";
 /// The share that a proposed step is chosen for.
 const PROPOSED: f64 = 0.002;
 
@@ -121,7 +123,7 @@ impl Columns {
         for (result, (own, unit)) in table.results.iter().enumerate() {
             let quantity = table.quantity_of(result);
             let name = scale::family(own);
-            if quantity.is_none() && name != scale::ENERGY {
+            if quantity.is_none() && !matches!(name, scale::ENERGY | PARAMETER) {
                 continue;
             }
             let family = families.iter().position(|own| own.name == name).unwrap_or_else(|| {

@@ -1,4 +1,7 @@
 //! The mesh error of equilibria: Newton finds them again on a mesh twice as fine, with quadratic twist.
+//!
+//! On a path by arc length it looks for the nearest point of the finer mesh's path. Under the same load there may be
+//! none near a limit point, or a far one; the same arc length is another point on every mesh.
 
 use super::levels::{self, Level, Override};
 use crate::error::Error;
@@ -21,6 +24,8 @@ pub struct Finer {
     system: System,
     drawn: State,
     statics: Statics,
+    /// Whether the equilibria are those of a path by arc length.
+    is_path: bool,
 }
 
 impl Finer {
@@ -30,7 +35,9 @@ impl Finer {
         let other = levels::changed(document, overrides, Level::DoubleElements.overrides(document)?)?;
         let built = builder::build(&other, document.drawn_at(start)).ok()?;
         let statics = Statics::new(&built.system, TOLERANCE);
-        Some(Self { table: Table::new(&other), system: built.system, drawn: built.state, statics })
+        let is_path = document.follows_arc_length();
+        let statics = if is_path { statics.follow_path(Vec::new()) } else { statics };
+        Some(Self { table: Table::new(&other), system: built.system, drawn: built.state, statics, is_path })
     }
 
     /// The results of the equilibrium near `state`, an equilibrium of `system`; none where its shape cannot be taken.
@@ -42,7 +49,10 @@ impl Finer {
         if !self.system.take_shape(&mut own, system, state) {
             return Ok(None);
         }
-        self.statics.settle(&self.system, &mut own)?;
+        match self.is_path {
+            true => self.statics.settle_across(&self.system, &mut own)?,
+            false => self.statics.settle(&self.system, &mut own)?,
+        }
         let mut response = Response::default();
         response.set_at_rest(&own);
         let (mut frames, mut results) = (FrameCache::default(), Vec::new());

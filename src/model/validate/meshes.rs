@@ -1,15 +1,18 @@
 //! The elements of beams whose file leaves their number to the program: so many that most models are right with them,
-//! and nodes where joints need them. A run makes them finer where they are too few.
+//! nodes where joints need them, and where forces act at points if that takes few elements: the shape has a kink in its
+//! curvature there, which no element has inside. A run makes them finer where they are too few.
 
 use super::super::file::document::Document;
 use super::super::file::entries::beam::{BeamSpec, FEWEST_ELEMENTS};
-use super::super::file::reader::anchor::{Along, Spot};
+use super::super::file::reader::anchor::{Along, Anchor, Spot};
 use super::super::shape::{fits, lines};
 
 /// Angle that an element turns by as drawn, rad, at most: a ring of 16 elements is right to 1 %.
 const LARGEST_ANGLE: f64 = 25.0 * std::f64::consts::PI / 180.0;
 /// A count is sought up to so many times the one that the shape asks for.
 const MOST_TIMES: usize = 8;
+/// The same, for nodes where forces act: a finer mesh does without them.
+const MOST_TIMES_FOR_FORCES: usize = 4;
 
 /// Chooses the elements of all beams that the file gives none.
 pub(super) fn choose(document: &mut Document) {
@@ -39,13 +42,26 @@ fn count(document: &Document, number: usize, beam: &BeamSpec) -> Option<usize> {
         true => drawn(*count).is_some(),
         false => held.iter().all(|fraction| fits(document, beam, *count, *fraction)),
     };
-    Some((least..=MOST_TIMES * least).find(is_right).unwrap_or(least))
+    let forces = pushed_fractions(document, number);
+    let is_best =
+        |count: &usize| is_right(count) && forces.iter().all(|fraction| fits(document, beam, *count, *fraction));
+    let best = (least..=MOST_TIMES_FOR_FORCES * least).find(is_best).filter(|_| !forces.is_empty());
+    best.or_else(|| (least..=MOST_TIMES * least).find(is_right)).or(Some(least))
 }
 
 /// Fractions of a beam at which joints hold on to nodes.
 fn held_fractions(document: &Document, number: usize) -> Vec<f64> {
-    let joints = document.joints.iter().flat_map(|joint| [joint.a, joint.b]);
-    let fractions = joints.filter_map(|anchor| match anchor.spot {
+    fractions(document, number, document.joints.iter().flat_map(|joint| [joint.a, joint.b]))
+}
+
+/// Fractions of a beam at which springs, actuators and loads act.
+fn pushed_fractions(document: &Document, number: usize) -> Vec<f64> {
+    fractions(document, number, document.anchors_of_forces())
+}
+
+/// The fractions of a beam that `anchors` name.
+fn fractions(document: &Document, number: usize, anchors: impl Iterator<Item = Anchor>) -> Vec<f64> {
+    let fractions = anchors.filter_map(|anchor| match anchor.spot {
         Spot::Beam { beam, along: Along::Fraction(fraction) } if beam == number => Some(document.value(fraction)),
         _ => None,
     });

@@ -8,6 +8,7 @@ use ancf14::fmi::Model;
 use ancf14::model::refinement::{BUDGET, End, Outcome, Refinement};
 use ancf14::model::rows;
 use ancf14::model::simulation::Simulation;
+use std::f64::consts::PI;
 
 /// 1 kg that its weight falls on a mount of 100 N/m: `z = -g/ω² (1 - cos ωt)` with `ω = 10 rad/s`.
 fn mount(accuracy: f64) -> String {
@@ -159,8 +160,8 @@ fn rod(line: &str, more: &str) -> String {
     )
 }
 
-/// A beam without `elements` has 8, one for each 25 degrees of its curve or its pretwist, and nodes where joints are;
-/// its twist is quadratic. A number that is written keeps linear twist.
+/// A beam without `elements` has 8, one for each 25 degrees of its curve or its pretwist, and nodes where joints are,
+/// and where forces act if up to four times as many elements have them; its twist is quadratic. A number that is written keeps linear twist.
 #[test]
 fn meshes_follow_the_shape() {
     let straight = "from = [0, 0, 0]\nto = [1, 0, 0]";
@@ -168,7 +169,13 @@ fn meshes_follow_the_shape() {
     let corner = "curve = { points = [[0, 0, 0], [1, 0, 0], [1, 1, 0]], polyline = true }\ny_axis = [0, 0, 1]";
     let pin = "[body.mass]\nmass = 1\nposition = [0.3, 0, 0]\ninertia = [1, 1, 1]\n\
                [joint.pin]\ntype = \"spherical\"\na = \"mass\"\nb = \"arm@0.3\"";
+    let force = |place: f64| format!("[load.push]\nat = \"arm@{place}\"\nforce = [0, 0, 1]");
+    let spring = "[spring.rope]\na = \"ground\"\nb = \"arm@0.35\"\nstiffness = 1\nlength = 1";
     for (line, more, elements) in [
+        (straight, &*force(0.3), 10.0),
+        (straight, spring, 20.0),
+        // A node there takes 100 elements.
+        (straight, &*force(0.37), 8.0),
         (straight, "", 8.0),
         (ring, "", 15.0),
         (corner, "", 8.0),
@@ -224,4 +231,72 @@ fn steps_and_meshes_become_finer_together() {
         println!("{}: {name} {claimed:.2e}, {result} off by {off:.2e}", outcome.line());
         assert!(outcome.end == End::Reached && outcome.runs > 1 && elements > 8.0 && off < 0.01, "{off}");
     }
+}
+
+/// A path by arc length is judged by the nearest points of the path of a finer mesh. A strip is rolled up by its end
+/// moment: at every row the moment is known, so that the energy and the place of the end are too. A wrong code would
+/// compare rows at one arc length, which is another moment on every mesh, or those of one mesh only.
+#[test]
+fn paths_by_arc_length_are_right_at_every_row() {
+    let text = std::fs::read_to_string("models/roll_up.toml").unwrap();
+    let text = text.replace("elements = 16\n", "").replace("2*pi*young", "4*pi*young");
+    let text =
+        text.replace("analysis = \"static\"\nstop = 1.0", "analysis = \"static\"\nfollow = \"arc_length\"\nstop = 8");
+    let names = ["path.parameter", "energy.elastic", "tip.position[1]", "tip.position[2]"];
+    let (rows, outcome, _) = repeated(&text, &names, BUDGET);
+    let mut worst = [0.0_f64; 2];
+    let moment = 4.0 * PI * 2.1e11 * 0.02 * 1e-9 / 12.0;
+    for Row { values, .. } in &rows[1..] {
+        let turn = 4.0 * PI * values[0];
+        let energy = 0.5 * values[0] * moment * turn;
+        let [x, y] = [turn.sin() / turn, (1.0 - turn.cos()) / turn];
+        worst[0] = worst[0].max((values[1] - energy).abs());
+        worst[1] = worst[1].max((values[2] - x).hypot(values[3] - y));
+    }
+    let last = rows.last().unwrap().values[0];
+    let energy = 0.5 * 4.0 * PI * moment * last * last;
+    println!("{} rows to {last}, {}: off by {worst:?} of {energy} J and 1 m", rows.len(), outcome.line());
+    assert!(outcome.end == End::Reached && outcome.runs > 1 && last > 0.9, "{outcome:?} {last}");
+    assert!(worst[0] < 0.01 * energy && worst[1] < 0.01, "{worst:?}");
+}
+
+/// Lee's frame snaps through, and its claim is that of the rows on its path: the distance of each row from the path of
+/// 20 elements for each beam and 250 steps, in load, displacement and reaction, each over its range.
+#[test]
+fn the_claim_of_a_path_past_limit_points_is_true() {
+    let given = std::fs::read_to_string("models/lee_frame.toml").unwrap();
+    let free = given.replace("elements = 10\n", "").replace("step = 0.05", "output_step = 0.05");
+    let fine = given
+        .replace("elements = 10\n", "elements = 20\ntwist = \"quadratic\"\n")
+        .replace("step = 0.05", "step = 0.02");
+    let names =
+        ["path.parameter", "loaded_point.displacement[1]", "loaded_point.displacement[3]", "foot.reaction_force[3]"];
+    let (rows, outcome, _) = repeated(&free, &names, BUDGET);
+    let reference = run(&mut load(&fine), &names, |_| ());
+    let scales: Vec<f64> = (0..names.len())
+        .map(|place| {
+            let all = || reference.iter().map(|row| row.values[place]);
+            all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+        })
+        .collect();
+    let scaled =
+        |row: &Row| -> Vec<f64> { row.values.iter().zip(&scales).map(|(value, scale)| value / scale).collect() };
+    let path: Vec<Vec<f64>> = reference.iter().map(scaled).collect();
+    let truth = rows.iter().map(|row| distance(&scaled(row), &path)).fold(0.0, f64::max);
+    let claimed = outcome.worst.as_ref().map_or(0.0, |worst| worst.error);
+    println!("{}: off by {truth:.2e}, claimed {claimed:.2e}", outcome.line());
+    // The fine path is made of chords of 1/250 of the whole: they miss it by 1e-5.
+    assert!(outcome.end == End::Reached && claimed < 0.005 && truth < 1.5 * claimed + 1e-5, "{truth} {claimed}");
+}
+
+/// The distance of a point from the chords of a path.
+fn distance(point: &[f64], path: &[Vec<f64>]) -> f64 {
+    let from_chord = |pair: &[Vec<f64>]| {
+        let along: Vec<f64> = pair[1].iter().zip(&pair[0]).map(|(end, begin)| end - begin).collect();
+        let to: Vec<f64> = point.iter().zip(&pair[0]).map(|(own, begin)| own - begin).collect();
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let share = (product(&to, &along) / product(&along, &along)).clamp(0.0, 1.0);
+        to.iter().zip(&along).map(|(to, along)| (to - share * along).powi(2)).sum::<f64>().sqrt()
+    };
+    path.windows(2).map(from_chord).fold(f64::INFINITY, f64::min)
 }

@@ -4,6 +4,7 @@ use super::Simulation;
 use crate::fmi::Failure;
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::run::accuracy::{Differences, Inexact};
+use crate::model::run::finer::Finer;
 use crate::model::run::levels::{self, Override};
 use crate::solve::step::course::Course;
 
@@ -11,6 +12,14 @@ impl Simulation {
     /// Notes the ends of the steps, from the next initialization on.
     pub fn note_steps(&mut self) {
         self.runner.ends = Some(Vec::new());
+    }
+
+    /// The shortest and the longest of the steps that have been noted, s; none: there are none.
+    pub fn step_lengths(&self) -> Option<[f64; 2]> {
+        let ends = self.runner.ends.as_deref().filter(|ends| !ends.is_empty())?;
+        let begins = std::iter::once(self.runner.start).chain(ends.iter().copied());
+        let lengths = begins.zip(ends).map(|(begin, end)| end - begin);
+        Some(lengths.fold([f64::INFINITY, 0.0], |[least, most], own| [own.min(least), own.max(most)]))
     }
 
     /// Builds the same model with `changes`, not initialized, whose motion follows the steps of this run, each divided
@@ -48,6 +57,28 @@ impl Simulation {
         differences.include(&self.columns, &self.results, other);
     }
 
+    /// Leaves the mesh error of this run, not initialized yet, to a comparison of its rows.
+    pub fn leave_mesh_error(&mut self) {
+        self.is_compared = true;
+    }
+
+    /// The same mechanism on a mesh twice as fine; none if a beam has no such mesh.
+    pub fn twice_as_fine(&self) -> Option<Finer> {
+        Finer::new(&self.document, &self.overrides, self.runner.start)
+    }
+
+    /// Includes how far the equilibrium that is reached is from the nearest one of `finer`; false where that is not
+    /// known.
+    pub fn compare_nearest(&self, finer: &mut Finer, differences: &mut Differences) -> bool {
+        match finer.results(&self.runner.system, &self.runner.state) {
+            Ok(Some(other)) if other.len() == self.results.len() => {
+                differences.include(&self.columns, &self.results, &other);
+                true
+            }
+            _ => false,
+        }
+    }
+
     /// How far this run and another one are apart, a family of judged results each, as shares of what it is compared
     /// with, over the `divisor` of a family by its name and whether it is a configuration.
     pub fn distances(&self, differences: &Differences, divisor: impl Fn(&str, bool) -> f64) -> Vec<Inexact> {
@@ -72,5 +103,10 @@ impl Simulation {
     pub fn cost(&self) -> f64 {
         let elements = self.runner.system.mesh.elements.len().max(1);
         self.tried_steps() as f64 * elements as f64
+    }
+
+    /// The cost of finding so many equilibria again on a mesh twice as fine, as [`Self::cost`] counts.
+    pub fn cost_of_finer(&self, equilibria: u64) -> f64 {
+        2.0 * self.runner.system.mesh.elements.len() as f64 * equilibria as f64
     }
 }

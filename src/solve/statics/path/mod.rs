@@ -90,6 +90,35 @@ impl Statics {
         outcome
     }
 
+    /// Takes `state`, which is close to a path of equilibria, to the nearest point of the path: within the plane across
+    /// the direction that the path has there. A limit point is no obstacle, since the parameter changes too.
+    ///
+    /// # Errors
+    /// Newton has not found the path; callers must discard `state`.
+    pub fn settle_across(&mut self, system: &System, state: &mut State) -> Result<(), Error> {
+        state.path = Some(PathPoint { parameter: state.instant(), ..PathPoint::default() });
+        let wanted = state.clone();
+        if self.go_across(system, &wanted, state).is_ok() {
+            return Ok(());
+        }
+        // The equilibrium under the same load shows a better direction where the shape is far from the path.
+        state.clone_from(&wanted);
+        self.settle(system, state)?;
+        self.go_across(system, &wanted, state)
+    }
+
+    /// Takes `state` along the path to the plane across it through `wanted`.
+    fn go_across(&mut self, system: &System, wanted: &State, state: &mut State) -> Result<(), Error> {
+        let mut direction = vec![0.0; state.q.len() + 1];
+        direction[state.q.len()] = 1.0;
+        self.set_tangent(system, state, &direction)?;
+        let from = state.clone();
+        let tangent = from.path.as_ref().map_or(&direction, |path| &path.tangent);
+        let apart = wanted.q.iter().zip(&from.q).map(|(wanted, own)| wanted - own);
+        let apart: Vec<f64> = apart.chain([wanted.instant() - from.instant()]).collect();
+        self.find_along(system, &from, state, scalar_product(system, tangent, &apart))
+    }
+
     /// Takes `next`, a copy of `state`, to the point of the path that is `length` further on, with the tangent there.
     ///
     /// # Errors
