@@ -2,12 +2,14 @@
 
 use super::output::{self, Input};
 use super::picture::undrawn;
-use super::{MODEL_FILE, Stop, complain, load, page, say};
+use super::{MODEL_FILE, Stop, complain, load, name, page, say, tune};
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Model, header};
 use ancf14::model::drawing::Drawing;
-use ancf14::model::file::Reach;
+use ancf14::model::file::{Folder, Reach};
 use ancf14::model::notes;
+use ancf14::model::refinement::{BUDGET, leaves_mesh};
+use ancf14::model::simulation::Simulation;
 use ancf14_pack::contents::{Contents, LICENCES};
 use ancf14_pack::libraries::{self, Platform};
 use ancf14_pack::package;
@@ -34,15 +36,21 @@ pub fn standard(text: &str) -> Result<Standard, String> {
     }
 }
 
-/// Packs the model `file` as an FMU of a version of the standard, with the library of this platform, which lies next to
-/// `program`, and with those of others that are given or lie beside it.
+/// The libraries of an FMU: that of this platform, given or next to `program`, and those of others that are given.
+pub struct Libraries<'a> {
+    pub own: Option<&'a Path>,
+    pub others: Vec<(Platform, PathBuf)>,
+    pub program: Option<&'a Path>,
+}
+
+/// Packs the model `file` as an FMU of a version of the standard, with the libraries that are given or lie beside that
+/// of this platform. Meshes that are left to the program are found first, unless they are to stay as they begin.
 pub fn pack(
     standard: Standard,
     (file, reach): (&Path, Reach),
     output: &Path,
-    library: Option<&Path>,
-    others: Vec<(Platform, PathBuf)>,
-    program: Option<&Path>,
+    no_refine: bool,
+    Libraries { own: library, others, program }: Libraries<'_>,
 ) -> Result<(), Stop> {
     if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("fmu")) {
         let shown = output.display();
@@ -53,7 +61,7 @@ pub fn pack(
         None => std::env::current_exe()
             .map_err(|reason| Stop::Failed(format!("error: this program cannot find itself: {reason}")))?,
     };
-    let (simulation, text) = load(file, &[], reach)?;
+    let (mut simulation, mut text) = load(file, &[], reach)?;
     // No library at the place that was given is a wrong argument; a failed write is not.
     let own = libraries::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     let mut beside = libraries::find_others(&own);
@@ -68,6 +76,9 @@ pub fn pack(
     let read = packed.iter().map(|(_, path)| ("a library to pack", path.as_path()));
     let inputs: Vec<Input<'_>> = read.chain([(MODEL_FILE, file)]).collect();
     output::spare(&inputs, &[output.to_owned()])?;
+    if !no_refine && let Some(found) = found(&simulation, (file, reach))? {
+        (simulation, text) = found;
+    }
     let drawing = Drawing::new(simulation.document());
     let contents = Contents {
         model: &text,
@@ -89,8 +100,36 @@ pub fn pack(
     say(&format!("{} packed for {}", output.display(), packed.join(", ")))
 }
 
+/// The model at `file` with the elements and steps that its own loads and drives ask for, and its text; none: the file
+/// gives all elements, or the runs fail, so that the meshes stay as they begin.
+fn found(model: &Simulation, (file, reach): (&Path, Reach)) -> Result<Option<(Simulation, String)>, Stop> {
+    if !leaves_mesh(model.document()) {
+        return Ok(None);
+    }
+    let search = tune::search(load(file, &[], reach)?.0, BUDGET);
+    let written = search.map_err(|stop| stop.reason()).and_then(|search| {
+        let search = search.ok_or_else(|| String::from("the model begins with a state, or has too many results"))?;
+        let text = search.found.written_flat(model.document())?;
+        Ok((search, text))
+    });
+    let (search, text) = match written {
+        Ok(written) => written,
+        Err(reason) => {
+            complain(&format!("warning: the FMU has the automatic meshes as they begin: {reason}"));
+            return Ok(None);
+        }
+    };
+    search.outcome.warning().iter().for_each(|warning| complain(&format!("warning: {warning}")));
+    let folder = file.parent().map(|path| Folder::new(path, reach));
+    let loaded = Simulation::load_in(folder, &name(file), &text, &[]);
+    let simulation = loaded.map_err(|failure| Stop::Failed(failure.message))?;
+    let settings = search.found.settings().join(", ");
+    say(&format!("found with the model's own loads and drives: {settings} ({})", search.outcome.line()))?;
+    Ok(Some((simulation, text)))
+}
+
 /// Writes the C header of the model `file`.
-pub fn header((file, reach): (&Path, Reach), output: &Path, prefix: Option<&str>) -> Result<(), Stop> {
+pub fn header((file, reach): (&Path, Reach), output: &Path, no_refine: bool, prefix: Option<&str>) -> Result<(), Stop> {
     output::spare(&[(MODEL_FILE, file)], &[output.to_owned()])?;
     if output.extension().is_some_and(|ending| ending == "toml") {
         let shown = output.display();
@@ -98,7 +137,11 @@ pub fn header((file, reach): (&Path, Reach), output: &Path, prefix: Option<&str>
             "error: {shown} has the name of a model file; choose another name for the header"
         )));
     }
-    let (simulation, _) = load(file, &[], reach)?;
+    let (mut simulation, _) = load(file, &[], reach)?;
+    // A unit of this model has these numbers too, and its GUID with them.
+    if !no_refine && let Some((found, _)) = found(&simulation, (file, reach))? {
+        simulation = found;
+    }
     let about = simulation.about();
     let prefix = prefix.unwrap_or(&about.identifier);
     let text =

@@ -2,6 +2,7 @@
 //! 128 and the number of a signal that ended a run. The program and the Python package both call [`main`].
 
 mod advance;
+mod arguments;
 mod attempt;
 pub mod background;
 mod check;
@@ -24,6 +25,7 @@ mod run;
 mod shell;
 mod stages;
 mod stop;
+mod tune;
 mod verify;
 mod view;
 mod voice;
@@ -41,7 +43,6 @@ use clap::{Args, Parser, Subcommand};
 use inputs::Inputs;
 use loading::{failed, load, start};
 use std::ffi::{OsStr, OsString};
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use stop::Stop;
 use verify::Wish;
@@ -99,7 +100,7 @@ enum Command {
         #[arg(long, conflicts_with_all = ["refine", "budget"])]
         no_refine: bool,
         /// Bound of the cost of all repetitions together, over the cost of the first run
-        #[arg(long, value_name = "TIMES", default_value_t = BUDGET, value_parser = budget)]
+        #[arg(long, value_name = "TIMES", default_value_t = BUDGET, value_parser = arguments::budget)]
         budget: f64,
         /// Also write view.html, a page that shows the moving mechanism
         #[arg(long)]
@@ -121,6 +122,20 @@ enum Command {
         /// Folder for the results [default: <file stem>-results, in the current folder]
         #[arg(short, long, value_name = "DIR")]
         out: Option<PathBuf>,
+    },
+    /// Run a model until its results are accurate, and write the elements and steps that it took into a copy of its file
+    Tune {
+        /// Model file
+        #[arg(value_name = "MODEL.toml")]
+        file: PathBuf,
+        #[command(flatten)]
+        files: FileArguments,
+        /// The copy [default: MODEL.tuned.toml, beside the model file]
+        #[arg(short, long, value_name = "OUT.toml")]
+        output: Option<PathBuf>,
+        /// Bound of the cost of all repetitions together, over the cost of the first run
+        #[arg(long, value_name = "TIMES", default_value_t = BUDGET, value_parser = arguments::budget)]
+        budget: f64,
     },
     /// Validate a model and list its variables
     Check {
@@ -217,6 +232,10 @@ enum Command {
         /// Shared library to pack [default: next to this program, or in ../lib]
         #[arg(long, value_name = "PATH")]
         library: Option<PathBuf>,
+        /// Take automatic meshes as they begin: by default the model runs, and the FMU has the elements and steps with
+        /// which its results are accurate
+        #[arg(long)]
+        no_refine: bool,
         /// Pack this library for another platform: --binary win64=ancf14.dll
         #[arg(long = "binary", value_name = "PLATFORM=PATH", value_parser = export::platform_and_path)]
         binaries: Vec<(Platform, PathBuf)>,
@@ -234,6 +253,9 @@ enum Command {
         /// Prefix of its names [default: the model's identifier]
         #[arg(long, value_name = "NAME")]
         prefix: Option<String>,
+        /// As of `pack`
+        #[arg(long)]
+        no_refine: bool,
     },
     /// Simulate a flexible double pendulum into ./ancf14-demo-results
     Demo,
@@ -256,7 +278,7 @@ struct ModelArguments {
     #[arg(value_name = "MODEL.toml")]
     file: PathBuf,
     /// Change a number or a word of the model: --set steel.young=2.1e11 --set arm.strain=small
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = key_and_value)]
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = arguments::key_and_value)]
     overrides: Vec<(String, String)>,
     #[command(flatten)]
     files: FileArguments,
@@ -276,27 +298,12 @@ impl FileArguments {
     }
 }
 
-fn key_and_value(text: &str) -> Result<(String, String), String> {
-    match text.split_once('=') {
-        Some((key, value)) if !key.trim().is_empty() && !value.trim().is_empty() => {
-            Ok((key.trim().to_owned(), value.trim().to_owned()))
-        }
-        _ => Err("KEY=VALUE was expected, like steel.young=2.1e11".to_owned()),
-    }
-}
-
-/// The value of `--budget`.
-fn budget(text: &str) -> Result<f64, String> {
-    let budget = text.parse().ok().filter(|budget| (1.0..=1e6).contains(budget));
-    budget.ok_or_else(|| String::from("how many times the cost of the first run was expected, from 1 to 1e6, like 20"))
-}
-
 /// Runs the command that the arguments ask for, the name of the program first, and returns the exit code. `pack` looks
 /// for the library of FMUs next to the file `program`; none: next to the running program.
 pub fn main(arguments: impl IntoIterator<Item = OsString>, program: Option<&Path>) -> u8 {
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
-        Err(text) => return shown(&text),
+        Err(text) => return arguments::shown(&text),
     };
     voice::set(match (arguments.quiet, arguments.json) {
         (_, true) => Style::Json,
@@ -381,6 +388,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             };
             run::run(simulation, &directory, order)
         }
+        Command::Tune { file, files, output, budget } => tune::tune((&file, files.reach()), output, budget),
         Command::Check { model, resolved: true, .. } => {
             let (simulation, text) = model.load()?;
             check::resolved(&text, &simulation.document().remaining(&model.overrides))
@@ -406,23 +414,16 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (simulation, _) = model.load()?;
             vtk::export(simulation, &vtk, every, &[model.input()])
         }
-        Command::Pack { file, files, output, fmi, library, binaries } => {
-            export::pack(fmi, (&file, files.reach()), &output, library.as_deref(), binaries, program)
+        Command::Pack { file, files, output, fmi, library, no_refine, binaries } => {
+            let libraries = export::Libraries { own: library.as_deref(), others: binaries, program };
+            export::pack(fmi, (&file, files.reach()), &output, no_refine, libraries)
         }
-        Command::Header { file, files, output, prefix } => {
-            export::header((&file, files.reach()), &output, prefix.as_deref())
+        Command::Header { file, files, output, prefix, no_refine } => {
+            export::header((&file, files.reach()), &output, no_refine, prefix.as_deref())
         }
         Command::Demo => demo::demo(),
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { folder } => shell::manual(&folder),
-    }
-}
-
-/// Shows a message of the argument parser: help and version are what was asked for, the rest is a mistake.
-fn shown(text: &clap::Error) -> u8 {
-    match text.print() {
-        Err(reason) if reason.kind() != ErrorKind::BrokenPipe => 1,
-        _ => u8::try_from(text.exit_code()).unwrap_or(2),
     }
 }
 

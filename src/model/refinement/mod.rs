@@ -8,9 +8,11 @@
 //!
 //! The [`Refinement`] decides; its caller runs the models, writes rows and shows them to [`Refinement::look`].
 
+mod found;
 mod nearest;
 mod words;
 
+pub use self::found::Found;
 use self::nearest::Nearest;
 use super::run::accuracy::{Differences, Inexact};
 use super::run::levels;

@@ -18,6 +18,7 @@ mod same_results;
 mod shells;
 mod stages;
 mod summary;
+mod tune_command;
 mod view_command;
 mod view_comparison;
 

@@ -1,0 +1,87 @@
+//! Does `tune` write the numbers that the runs of a model have found, and nothing else, and does a run of that file give
+//! their results? `pack` and `header` must take the same numbers: a host compares the GUIDs of both.
+
+use super::command_line::{ancf14, text};
+use std::fs;
+use std::path::Path;
+
+/// A rod whose end is pushed aside: 8 elements are right to 0.5 %.
+const ROD: &str = "format = 1\n[model]\nname = \"Rod\"\n\n[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n\
+    [section.rod]\nshape = \"circle\"\nradius = 0.01\n\n[beam.arm] # the rod\nmaterial = \"steel\"\nsection = \"rod\"\n\
+    from = [0, 0, 0]\nto = [1, 0, 0] # m\n\n[joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"arm.start\"\n\n\
+    [load.push]\nat = \"arm.end\"\nforce = [0, 0, \"500*t\"]\n\n[output.tip]\nat = \"arm.end\"\n\
+    quantities = [\"displacement\"]\n\n[simulation]\nanalysis = \"static\"\nstop = 1\nstep = 0.25\n";
+
+fn done(directory: &Path, words: &[&str]) -> String {
+    let output = ancf14(directory, words);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    text(&output.stdout).to_owned()
+}
+
+/// The copy differs from the file by two lines, and both give the same rows in every bit.
+#[test]
+fn a_tuned_file_gives_the_rows_of_the_finest_run() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path();
+    fs::write(path.join("m.toml"), ROD).unwrap();
+    let told = done(path, &["tune", "m.toml"]);
+    assert!(told.contains("1 run, 8 elements, accuracy reached: 0.") && told.contains("bit-identical"), "{told}");
+    assert!(told.contains("m.tuned.toml: arm.elements = 8\n"), "{told}");
+    let header = "[beam.arm] # the rod\n";
+    let wanted = ROD.replace(header, &format!("{header}elements = 8\ntwist = \"quadratic\"\n"));
+    assert_eq!(fs::read_to_string(path.join("m.tuned.toml")).unwrap(), wanted);
+    done(path, &["run", "m.toml", "-o", "own"]);
+    done(path, &["run", "m.tuned.toml", "-o", "tuned"]);
+    let rows = |folder: &str| fs::read(path.join(folder).join("results.csv")).unwrap();
+    assert!(rows("own") == rows("tuned"));
+}
+
+/// Steps that are divided are written as an accuracy, whose value is replaced where it stands. Its steps end elsewhere:
+/// the command says by how much results differ. A file that gives everything, and a pipe, are refused.
+#[test]
+fn divided_steps_become_an_accuracy() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path();
+    let mount = "format = 1\n[model]\nname = \"Mount\"\ngravity = [0, 0, -9.81]\n\
+        [body.mass]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n\
+        [joint.mount]\ntype = \"bushing\"\na = \"ground\"\nb = \"mass\"\nstiffness = [1e2, 1e2, 1e2]\n\
+        rotational_stiffness = [1e2, 1e2, 1e2]\n[output.motion]\nat = \"mass\"\nquantities = [\"position\"]\n\
+        [simulation]\nstop = 5\noutput_step = 0.25\naccuracy = 0.03 # coarse\n";
+    fs::write(path.join("m.toml"), mount).unwrap();
+    let output = ancf14(path, &["tune", "m.toml", "-o", "t.toml"]);
+    let told = text(&output.stdout).to_owned() + text(&output.stderr);
+    assert!(output.status.success() && told.contains("a run of it differs from the finest run by about 0."), "{told}");
+    let tuned = fs::read_to_string(path.join("t.toml")).unwrap();
+    let line = tuned.lines().last().unwrap();
+    let number = line.strip_prefix("accuracy = ").and_then(|rest| rest.strip_suffix(" # coarse")).unwrap();
+    let accuracy: f64 = number.parse().unwrap();
+    assert!(tuned.lines().count() == mount.lines().count() && accuracy <= 0.03 / 4.0, "{tuned}");
+    fs::write(path.join("given.toml"), mount.replace("accuracy = 0.03 # coarse", "step = 0.01")).unwrap();
+    for (file, reason) in [("given.toml", "nothing is left to be found"), ("-", "not a pipe")] {
+        let refused = ancf14(path, &["tune", file, "-o", "x.toml"]);
+        assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains(reason), "{refused:?}");
+        assert!(!path.join("x.toml").exists());
+    }
+}
+
+/// A unit has the elements that were found, and a header the GUID of that unit: that of the tuned file. Meshes stay as
+/// they begin where that is asked for.
+#[test]
+fn units_have_the_elements_that_were_found() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path();
+    fs::write(path.join("m.toml"), ROD).unwrap();
+    fs::write(path.join("library.so"), "").unwrap();
+    let pack = ["pack", "m.toml", "-o", "m.fmu", "--library", "library.so"];
+    let told = done(path, &pack);
+    assert!(told.contains("found with the model's own loads and drives: arm.elements = 8 (1 run, "), "{told}");
+    assert!(!done(path, &[&pack[..], &["--no-refine"]].concat()).contains("found with"));
+    done(path, &["tune", "m.toml", "-o", "t.toml"]);
+    let header = |file: &str, more: &[&str]| {
+        done(path, &[&["header", file, "-o", "m.h"], more].concat());
+        fs::read_to_string(path.join("m.h")).unwrap()
+    };
+    let own = header("m.toml", &[]);
+    assert_eq!(own, header("t.toml", &[]));
+    assert_ne!(own, header("m.toml", &["--no-refine"]));
+}
