@@ -1,6 +1,7 @@
 //! The module `ancf14._native`: a simulation as Python sees it, in plain types. The package `ancf14` around it is
 //! written in Python.
 
+mod campbell;
 mod linear;
 mod models;
 mod refusal;
@@ -22,6 +23,7 @@ fn command(py: Python<'_>, arguments: Vec<OsString>, program: PathBuf) -> u8 {
 fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<linear::LinearSystem>()?;
+    module.add_class::<campbell::FoundCampbell>()?;
     module.add_class::<simulation::Simulation>()?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
     module.add_function(wrap_pyfunction!(models::table, module)?)?;

@@ -1,6 +1,8 @@
 //! Linear systems: names, matrices and poles in plain types, and their files.
 
 use ancf14::model::linear::{Linear, Matrix, Pole, Signal};
+use ancf14::model::reduced::{Method, Reduced, Size};
+use ancf14::model::simulation::Simulation;
 use ancf14_report::matrices::{System, word};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -17,12 +19,28 @@ pub struct LinearSystem {
     linear: Linear,
     poles: Result<Vec<Pole>, String>,
     model: String,
+    /// States, kept ones, bound and error; none: it is whole.
+    reduction: Option<(usize, usize, Option<f64>, f64)>,
 }
 
 impl LinearSystem {
     /// Of a simulation, with its poles.
     pub fn new(linear: Linear, poles: Result<Vec<Pole>, String>, model: String) -> Self {
-        Self { linear, poles, model }
+        Self { linear, poles, model, reduction: None }
+    }
+
+    /// The same with fewer states.
+    ///
+    /// # Errors
+    /// It is reduced already, or as [`Linear::reduce`].
+    pub fn reduced(&self, simulation: &Simulation, size: Size, method: Method) -> Result<Self, String> {
+        if self.reduction.is_some() {
+            return Err("the system is reduced already; reduce the whole one".to_owned());
+        }
+        let found = self.linear.reduce(simulation, size, method).map_err(|failure| failure.message)?;
+        let Reduced { linear, poles, whole, kept, bound, error } = found;
+        let reduction = Some((whole, kept, bound, error));
+        Ok(Self { linear, poles: Ok(poles), model: self.model.clone(), reduction })
     }
 }
 
@@ -50,6 +68,11 @@ impl LinearSystem {
     fn poles(&self) -> PyResult<Vec<FoundPole>> {
         let poles = self.poles.as_ref().map_err(|reason| PyRuntimeError::new_err(reason.clone()))?;
         Ok(poles.iter().map(|pole| (word(pole.kind), pole.value[0], pole.value[1])).collect())
+    }
+
+    /// States of the whole system, kept ones, bound and error; none: it is the whole one.
+    fn reduction(&self) -> Option<(usize, usize, Option<f64>, f64)> {
+        self.reduction
     }
 
     /// The time of the state, s.

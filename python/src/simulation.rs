@@ -1,14 +1,18 @@
 //! A simulation, its variables, steps and saved states.
 
+use crate::campbell::FoundCampbell;
 use crate::linear::LinearSystem;
 use crate::models::{self, FoundModes};
 use crate::refusal::{located, refusal};
 use crate::run::{self, Outcome};
 use ancf14::error::decimal;
 use ancf14::fmi::{Model, Value};
+use ancf14::model::campbell::Sweep;
 use ancf14::model::entries::simulation::{Analysis, Initial};
+use ancf14::model::reduced::{Method, Size};
 use ancf14::model::rows;
 use ancf14::model::simulation::Halt;
+use ancf14::model::steady::Spin;
 use ancf14::{Error, Kind, Reach};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -147,15 +151,56 @@ impl Simulation {
         py: Python<'_>,
         inputs: Option<Vec<String>>,
         outputs: Option<Vec<String>>,
+        steady: Option<(String, f64, bool)>,
     ) -> PyResult<LinearSystem> {
         let simulation = self.get()?;
         let found = py.detach(|| {
-            let linear = simulation.linearize(inputs.as_deref(), outputs.as_deref())?;
+            let linear = match steady {
+                None => simulation.linearize(inputs.as_deref(), outputs.as_deref()),
+                Some((drive, speed, is_weightless)) => {
+                    let spin = Spin { drive, speed, is_weightless };
+                    let found = simulation.model().linearize_steady(&spin, inputs.as_deref(), outputs.as_deref());
+                    found.map_err(|failure| Error::Failed { reason: failure.message })
+                }
+            }?;
             let poles = linear.poles(simulation.model()).map_err(|failure| failure.message);
             Ok((linear, poles))
         });
         let (linear, poles) = found.map_err(|error| located(simulation, &error))?;
         Ok(LinearSystem::new(linear, poles, simulation.model().about().name.clone()))
+    }
+
+    /// `system` with fewer states: by the `error`, else by their number.
+    fn reduce(
+        &self,
+        py: Python<'_>,
+        system: &LinearSystem,
+        error: Option<f64>,
+        order: usize,
+        is_modal: bool,
+    ) -> PyResult<LinearSystem> {
+        let simulation = self.get()?;
+        let size = error.map_or(Size::Order(order), Size::Error);
+        let method = if is_modal { Method::Modal } else { Method::Balanced };
+        let found = py.detach(|| system.reduced(simulation.model(), size, method));
+        found.map_err(|reason| located(simulation, &Error::Failed { reason }))
+    }
+
+    /// The vibrations by the speed of a drive.
+    fn campbell(
+        &self,
+        py: Python<'_>,
+        drive: String,
+        speeds: Vec<f64>,
+        count: usize,
+        is_weightless: bool,
+    ) -> PyResult<FoundCampbell> {
+        let simulation = self.get()?;
+        let sweep = Sweep { drive, speeds, is_weightless, count };
+        let found = py.detach(|| simulation.model().campbell(&sweep));
+        let found = found.map_err(|failure| Error::Failed { reason: failure.message });
+        let found = found.map_err(|error| located(simulation, &error))?;
+        Ok(FoundCampbell::new(found, simulation.model().about().name.clone()))
     }
 
     /// The drawing of the mechanism, SVG.

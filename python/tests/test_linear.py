@@ -81,3 +81,65 @@ def test_mistakes_are_told() -> None:
         model.linearize("push.force")
     with pytest.raises(ancf14.RunError, match="no input `pull.force`"):
         model.linearize(["pull.force"])
+
+
+# A round shaft with a disk at its end, in a bearing that a drive turns.
+ROTOR = """
+format = 1
+model = { name = "Rotor", gravity = [0, 0, 0] }
+material.steel = { young = 2.1e11, poisson = 0.3, density = 7850, damping = 2e-5 }
+section.rod = { shape = "circle", radius = 0.01 }
+beam.shaft = { material = "steel", section = "rod", from = [0, 0, 0], to = [0.5, 0, 0], elements = 4 }
+body.disk = { mass = 5, position = [0.5, 0, 0], inertia = [0.04, 0.022, 0.022] }
+joint.bearing = { type = "revolute", a = "ground", b = "shaft.start", axis = [1, 0, 0] }
+joint.hub = { type = "weld", a = "shaft.end", b = "disk" }
+drive.motor = { joint = "bearing", coordinate = "angle", value = 0 }
+load.push = { at = "disk", force = [0, 0, 0], input = true }
+output.tip = { at = "disk", quantities = ["position"] }
+simulation = { stop = 1, step = 1e-3 }
+"""
+
+
+def test_vibrations_by_speed(tmp_path: Path) -> None:
+    model = ancf14.Model.from_string(ROTOR)
+    found = model.campbell("motor", np.arange(0, 201, 50), count=2)
+    assert found.frame == "fixed" and found.frequencies.shape == found.damping.shape == found.directions.shape == (5, 2)
+    assert found.directions[1:].tolist() == [["backward", "forward"]] * 4
+    assert np.all(np.diff(found.frequencies[:, 0]) < 0) and np.all(np.diff(found.frequencies[:, 1]) > 0)
+    # Each mode is that of the linear system at its speed.
+    system = model.linearize(steady=("motor", 100.0))
+    assert found.frequencies[2] == pytest.approx(np.sort(system.poles.imag)[:2] / (2 * np.pi), rel=1e-6)
+    forward = [own for own in found.critical_speeds if own.direction == "forward"]
+    assert len(forward) == 1 and forward[0].excited_by == "unbalance" and forward[0].mode == 1
+    # Damping of the shaft feeds forward whirl from its critical speed on.
+    assert found.stability_limit == pytest.approx(forward[0].speed, rel=1e-4)
+    found.save(tmp_path / "c.svg")
+    rows = found.save(tmp_path / "c.csv").read_text(encoding="utf-8").splitlines()
+    assert len(rows) == 11 and (tmp_path / "c.svg").read_text(encoding="utf-8").startswith("<svg")
+    with pytest.raises(ancf14.CallError, match="rise from one to the next"):
+        model.campbell("motor", [1.0, 0.0])
+    with pytest.raises(ancf14.Error, match="its drives are: motor"):
+        model.campbell("engine", [1.0])
+    with pytest.raises(ancf14.CallError, match="has no other state"):
+        model.linearize(at="equilibrium", steady=("motor", 1.0))
+
+
+def test_reduced_systems(tmp_path: Path) -> None:
+    model = ancf14.Model.from_string(ROTOR)
+    whole = model.linearize(["push.force[3]"], ["tip.position[3]"])
+    small = whole.reduce(error=1e-3)
+    assert whole.bound is None and small.bound is not None and small.error is not None
+    assert small.error <= small.bound <= 1e-3 and len(small.states) < 10 < len(whole.states)
+
+    def response(system: ancf14.Linearization, omega: float) -> complex:
+        return complex((system.C @ np.linalg.solve(1j * omega * np.eye(len(system.A)) - system.A, system.B) + system.D)[0, 0])
+
+    peak = max(abs(response(whole, omega)) for omega in [*np.linspace(1, 200, 400), abs(whole.poles[0].imag)])
+    for omega in (0.0, 50.0, 88.0, 300.0):
+        assert abs(response(small, omega) - response(whole, omega)) <= 1e-3 * peak
+    assert len(whole.reduce(order=4, method="modal").states) == 4
+    assert len(np.load(small.save(tmp_path / "small.npz"))["A"]) == len(small.states)
+    with pytest.raises(ancf14.Error, match="reduced already"):
+        small.reduce()
+    with pytest.raises(ancf14.CallError, match="exclude each other"):
+        whole.reduce(error=0.1, order=2)

@@ -91,6 +91,18 @@ impl Blocks {
         own
     }
 
+    /// Sets the blocks that [`Self::leading`] copies to those of such a copy.
+    pub fn set_leading(&mut self, size: usize, leading: &Self) {
+        let mut copy = 0;
+        for number in 0..self.layout.len() {
+            let block = self.layout[number];
+            if block.row + block.rows <= size && block.column + block.columns <= size {
+                self.block_mut(number).copy_from_slice(leading.block(copy));
+                copy += 1;
+            }
+        }
+    }
+
     /// Changes the sign of all values.
     pub fn negate(&mut self) {
         self.values.iter_mut().for_each(|value| *value = -*value);

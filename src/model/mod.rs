@@ -17,7 +17,7 @@ pub mod verification;
 pub mod view;
 
 pub use file::{document, entries, quantity};
-pub use run::simulation::linear;
+pub use run::simulation::{campbell, linear, reduced, steady};
 pub use run::{derived, effort, missed_damping, rows, simulation, step_length};
 pub use text::names;
 pub use validate::notes;

@@ -5,6 +5,7 @@ mod advance;
 mod arguments;
 mod attempt;
 pub mod background;
+mod campbell;
 mod check;
 mod conclusion;
 mod demo;
@@ -15,11 +16,13 @@ mod keeper;
 mod linearize;
 mod live;
 mod loading;
+mod model_arguments;
 mod modes;
 mod new;
 mod output;
 mod picture;
 mod progress;
+mod reduce;
 mod rows;
 mod run;
 mod shell;
@@ -33,16 +36,15 @@ mod vtk;
 mod watch;
 
 use ancf14::fmi::lifecycle::Standard;
-use ancf14::model::file::Reach;
 use ancf14::model::refinement::{BUDGET, leaves_mesh};
-use ancf14::model::simulation::Simulation;
 use ancf14_pack::libraries::Platform;
 use ancf14_report::draw::Projection;
 use ancf14_view::Film;
-use clap::{Args, Parser, Subcommand};
+use clap::{Parser, Subcommand};
 use inputs::Inputs;
 use loading::{failed, load, start};
-use std::ffi::{OsStr, OsString};
+use model_arguments::{FileArguments, INPUTS, MODEL_FILE, ModelArguments, is_piped, name, stem};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use stop::Stop;
 use verify::Wish;
@@ -58,7 +60,7 @@ struct Arguments {
     #[arg(short, long, global = true)]
     quiet: bool,
     /// Answer with one JSON document on the standard output: variables of `check`, extremes of `run`, modes of `modes`,
-    /// poles of `linearize`, warnings and errors of all commands
+    /// poles of `linearize`, modes of `campbell`, warnings and errors of all commands
     #[arg(long, global = true, conflicts_with = "quiet")]
     json: bool,
 }
@@ -171,6 +173,26 @@ enum Command {
         #[command(flatten)]
         wishes: linearize::Wishes,
     },
+    /// Write the linear system of a model with fewer states, for controllers and for simulation in real time
+    ///
+    /// Poles that do not fade stay as they are. The command leaves out as many other states as the error allows.
+    Reduce {
+        #[command(flatten)]
+        model: ModelArguments,
+        #[command(flatten)]
+        wishes: reduce::Wishes,
+    },
+    /// Find the vibrations of a mechanism that turns, by its speed: frequencies, damping, direction of whirl, critical
+    /// speeds and the limit of stability
+    ///
+    /// At each speed the command finds the relative equilibrium and the poles about it, and follows the modes by their
+    /// vectors.
+    Campbell {
+        #[command(flatten)]
+        model: ModelArguments,
+        #[command(flatten)]
+        wishes: campbell::Wishes,
+    },
     /// Simulate a model and write a page that shows it in motion: one HTML file, in three dimensions, with charts
     ///
     /// The page opens in any browser, from the disk, without loading anything else. If the run fails, the page shows it
@@ -270,32 +292,6 @@ enum Command {
         #[arg(value_name = "DIR")]
         folder: PathBuf,
     },
-}
-
-#[derive(Args, Debug)]
-struct ModelArguments {
-    /// Model file; - reads it from the standard input
-    #[arg(value_name = "MODEL.toml")]
-    file: PathBuf,
-    /// Change a number or a word of the model: --set steel.young=2.1e11 --set arm.strain=small
-    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = arguments::key_and_value)]
-    overrides: Vec<(String, String)>,
-    #[command(flatten)]
-    files: FileArguments,
-}
-
-#[derive(Args, Clone, Copy, Debug, Default)]
-struct FileArguments {
-    /// Let the model include files and read tables from outside of its folder; only for a model that you trust
-    #[arg(long)]
-    allow_outside: bool,
-}
-
-impl FileArguments {
-    /// Which files the model may name.
-    fn reach(self) -> Reach {
-        if self.allow_outside { Reach::Anywhere } else { Reach::Inside }
-    }
 }
 
 /// Runs the command that the arguments ask for, the name of the program first, and returns the exit code. `pack` looks
@@ -405,6 +401,8 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             modes::modes(simulation, wishes, &model.directory(out), &[model.input()])
         }
         Command::Linearize { model, wishes } => linearize::linearize(&model, &wishes),
+        Command::Reduce { model, wishes } => reduce::reduce(&model, &wishes),
+        Command::Campbell { model, wishes } => campbell::campbell(&model, &wishes),
         Command::View { model, modes, watch: true, .. } => watch::watch(&model, modes.map(modes::count_or_default)),
         Command::View { model, other, output, modes, live, .. } => {
             let (other, modes) = (other.as_deref(), modes.map(modes::count_or_default));
@@ -425,61 +423,6 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { folder } => shell::manual(&folder),
     }
-}
-
-impl ModelArguments {
-    fn load(&self) -> Result<(Simulation, String), Stop> {
-        load(&self.file, &self.overrides, self.files.reach())
-    }
-
-    /// [`Self::load`] with further changes of the model, by key.
-    fn load_with(&self, changes: &[(&str, &str)]) -> Result<Simulation, Stop> {
-        let mut overrides = self.overrides.clone();
-        overrides.retain(|(own, _)| changes.iter().all(|(key, _)| own != key));
-        overrides.extend(changes.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())));
-        load(&self.file, &overrides, self.files.reach()).map(|(simulation, _)| simulation)
-    }
-
-    /// The model as messages call it.
-    fn name(&self) -> String {
-        name(&self.file)
-    }
-
-    fn input(&self) -> output::Input<'_> {
-        (MODEL_FILE, &self.file)
-    }
-
-    /// The folder of the results: `m.toml` to `m-results` in the current folder, unless another one is given.
-    fn directory(&self, given: Option<PathBuf>) -> PathBuf {
-        given.unwrap_or_else(|| self.beside("-results"))
-    }
-
-    /// The name of the model file without its ending, and `ending`: in the current folder.
-    fn beside(&self, ending: impl AsRef<OsStr>) -> PathBuf {
-        let mut name = stem(&self.file).to_owned();
-        name.push(ending);
-        PathBuf::from(name)
-    }
-}
-
-/// The model file as messages call it.
-const MODEL_FILE: &str = "the model file";
-/// The table of inputs as messages call it.
-const INPUTS: &str = "the table of inputs";
-
-/// Whether the model comes from the standard input.
-fn is_piped(path: &Path) -> bool {
-    path == Path::new("-")
-}
-
-/// What files that are named after a model file begin with.
-fn stem(path: &Path) -> &OsStr {
-    path.file_stem().filter(|_| !is_piped(path)).unwrap_or(OsStr::new("model"))
-}
-
-/// The model file as messages call it.
-fn name(path: &Path) -> String {
-    if is_piped(path) { "standard input".to_owned() } else { path.display().to_string() }
 }
 
 /// The page of a film.

@@ -6,6 +6,7 @@ use ancf14::model::entries::simulation::{Analysis, Initial, Steps};
 use ancf14::model::linear::{Linear, Pole, PoleKind, Signal};
 use ancf14::model::simulation::Simulation;
 use ancf14::model::simulation::pole_check::STEPS;
+use ancf14::model::steady::{Frame, Spin, Steady};
 use ancf14_report::matrices::{System, word};
 use ancf14_report::numbers::significant;
 use serde_json::{Value, json};
@@ -15,10 +16,33 @@ use std::path::{Path, PathBuf};
 /// What is asked for.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Wishes {
+    #[command(flatten)]
+    place: Place,
+    /// Print the softest N poles as a table [default of N: 20]; without --output it is printed anyway
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, value_parser = super::modes::count)]
+    poles: Option<Option<u16>>,
+    /// Compare the softest vibration with a run of 20 periods that begins with it
+    #[arg(long, conflicts_with = "steady")]
+    check: bool,
+    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, or .json
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// Where a mechanism is linearized, from which inputs to which outputs.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Place {
     /// The state: equilibrium, start, or a time of the run, s [default: start, of which simulation.initial decides
     /// whether it is an equilibrium]
     #[arg(long, value_name = "STATE", value_parser = at, default_value = "start", hide_default_value = true, allow_negative_numbers = true)]
     at: At,
+    /// Linearize about the steady rotation that a drive makes instead, DRIVE=SPEED in rad/s; functions of time act with
+    /// their values at the start
+    #[arg(long, value_name = "DRIVE=SPEED", value_parser = steady, conflicts_with = "at")]
+    steady: Option<Turn>,
+    /// Leave gravity out of a steady rotation
+    #[arg(long, requires = "steady")]
+    without_gravity: bool,
     /// Inputs of the linear system, separated by commas: inputs of the model by name, vectors as a whole, and the
     /// motion of a drive as NAME.acceleration [default: all inputs of the model]
     #[arg(long, value_name = "NAMES", value_parser = names)]
@@ -27,15 +51,6 @@ pub struct Wishes {
     /// model]
     #[arg(long, value_name = "NAMES", value_parser = names)]
     outputs: Option<Names>,
-    /// Print the softest N poles as a table [default of N: 20]; without --output it is printed anyway
-    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, value_parser = super::modes::count)]
-    poles: Option<Option<u16>>,
-    /// Compare the softest vibration with a run of 20 periods that begins with it
-    #[arg(long)]
-    check: bool,
-    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, or .json
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
 }
 
 /// The state that a mechanism is linearized about.
@@ -48,6 +63,10 @@ pub enum At {
     /// A time of the run, s.
     Time(f64),
 }
+
+/// A drive and its rate, rad/s.
+#[derive(Clone, Debug, PartialEq)]
+struct Turn(String, f64);
 
 /// Names that were separated by commas.
 #[derive(Clone, Debug)]
@@ -70,6 +89,13 @@ fn at(text: &str) -> Result<At, String> {
     }
 }
 
+fn steady(text: &str) -> Result<Turn, String> {
+    let parts = text.rsplit_once('=').and_then(|(drive, speed)| Some((drive, speed.trim().parse::<f64>().ok()?)));
+    let parts = parts.filter(|(drive, speed)| !drive.trim().is_empty() && speed.is_finite());
+    let (drive, speed) = parts.ok_or("a drive and its speed in rad/s were expected, as in motor=100")?;
+    Ok(Turn(drive.trim().to_owned(), speed))
+}
+
 /// Splits at commas that are not in brackets: `shape.position[1,2]` is one name.
 fn names(text: &str) -> Result<Names, String> {
     let mut names = vec![String::new()];
@@ -86,14 +112,15 @@ fn names(text: &str) -> Result<Names, String> {
 
 /// The kinds of files.
 #[derive(Clone, Copy, Debug)]
-enum Format {
+pub enum Format {
     Npz,
     Mat,
     Json,
 }
 
 impl Format {
-    fn of(path: &Path) -> Result<Self, Stop> {
+    /// The kind that the ending of a file names.
+    pub fn of(path: &Path) -> Result<Self, Stop> {
         match path.extension().and_then(|extension| extension.to_str()) {
             Some("npz") => Ok(Self::Npz),
             Some("mat") => Ok(Self::Mat),
@@ -102,6 +129,19 @@ impl Format {
                 "error: {} has no ending that says what it is; give a file that ends in .npz, .mat or .json",
                 path.display()
             ))),
+        }
+    }
+}
+
+impl Format {
+    /// The bytes of a file.
+    pub fn bytes(self, system: &System) -> Result<Vec<u8>, Stop> {
+        match self {
+            Self::Npz => {
+                system.npz().map_err(|reason| Stop::Failed(format!("error: cannot write the archive: {reason}")))
+            }
+            Self::Mat => Ok(system.mat()),
+            Self::Json => Ok(system.json().into_bytes()),
         }
     }
 }
@@ -117,19 +157,17 @@ fn load(model: &ModelArguments, at: At) -> Result<Simulation, Stop> {
     model.load_with(&[("simulation.initial", "equilibrium")])
 }
 
-/// Linearizes, and writes what is asked for.
-pub fn linearize(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
-    let format = wishes.output.as_deref().map(Format::of).transpose()?;
-    output::spare(&[model.input()], wishes.output.as_slice())?;
-    let mut simulation = load(model, wishes.at)?;
+/// The model, started, and its linear system.
+pub fn find(model: &ModelArguments, place: &Place) -> Result<(Simulation, Linear), Stop> {
+    let mut simulation = load(model, place.at)?;
     let stop = simulation.about().stop;
-    if let At::Time(time) = wishes.at
+    if let At::Time(time) = place.at
         && time > stop
     {
         return Err(Stop::Bad(format!("error: --at {time} is after the end of the run: simulation.stop is {stop} s")));
     }
     start(&mut simulation)?;
-    if let At::Time(time) = wishes.at
+    if let At::Time(time) = place.at
         && time > 0.0
     {
         let advanced = simulation.advance(time);
@@ -137,10 +175,24 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
         advanced.map_err(|failure| failed(&simulation, &failure))?;
     }
     let asked = |names: &Option<Names>| names.as_ref().map(|names| names.0.clone());
-    let (asked_inputs, asked_outputs) = (asked(&wishes.inputs), asked(&wishes.outputs));
-    let found = simulation.linearize(asked_inputs.as_deref(), asked_outputs.as_deref());
+    let (asked_inputs, asked_outputs) = (asked(&place.inputs), asked(&place.outputs));
+    let found = match &place.steady {
+        None => simulation.linearize(asked_inputs.as_deref(), asked_outputs.as_deref()),
+        Some(Turn(drive, speed)) => {
+            let spin = Spin { drive: drive.clone(), speed: *speed, is_weightless: place.without_gravity };
+            simulation.linearize_steady(&spin, asked_inputs.as_deref(), asked_outputs.as_deref())
+        }
+    };
     let found = found.map_err(|failure| failed(&simulation, &failure))?;
     found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
+    Ok((simulation, found))
+}
+
+/// Linearizes, and writes what is asked for.
+pub fn linearize(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
+    let format = wishes.output.as_deref().map(Format::of).transpose()?;
+    output::spare(&[model.input()], wishes.output.as_slice())?;
+    let (simulation, found) = find(model, &wishes.place)?;
     let prints = wishes.poles.is_some() || wishes.output.is_none();
     let poles = match found.poles(&simulation) {
         Ok(poles) => poles,
@@ -153,16 +205,9 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
     let name = simulation.about().name.clone();
     let system = System { linear: &found, poles: &poles, model: &name, version: env!("CARGO_PKG_VERSION") };
     if let (Some(path), Some(format)) = (&wishes.output, format) {
-        let bytes = match format {
-            Format::Npz => {
-                system.npz().map_err(|reason| Stop::Failed(format!("error: cannot write the archive: {reason}")))?
-            }
-            Format::Mat => system.mat(),
-            Format::Json => system.json().into_bytes(),
-        };
-        output::write(path, &bytes)?;
+        output::write(path, &format.bytes(&system)?)?;
     }
-    let checked = if wishes.check { Some(check(model, wishes.at, &found, &poles)?) } else { None };
+    let checked = if wishes.check { Some(check(model, wishes.place.at, &found, &poles)?) } else { None };
     if voice::is_json() {
         let mut document = document(&found, &poles);
         if let Some(checked) = checked {
@@ -182,8 +227,18 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
             checked.difference()
         ))?;
     }
-    let Linear { states, inputs, outputs, time, .. } = &found;
-    let counts = format!("{} states, {} inputs, {} outputs at t = {time} s", states.len(), inputs.len(), outputs.len());
+    let Linear { states, inputs, outputs, time, steady, .. } = &found;
+    let place = match steady {
+        None => format!("at t = {time} s"),
+        Some(Steady { drive, speed, frame }) => format!(
+            "about the rotation of {drive} with {speed} rad/s, {}",
+            match frame {
+                Frame::Fixed => "in the fixed frame",
+                Frame::Turning => "in the frame that turns with it",
+            }
+        ),
+    };
+    let counts = format!("{} states, {} inputs, {} outputs {place}", states.len(), inputs.len(), outputs.len());
     match &wishes.output {
         Some(path) => say(&format!("{counts}: {}", path.display())),
         None => say(&counts),

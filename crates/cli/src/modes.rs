@@ -104,6 +104,7 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
         return Ok(());
     }
     say(&table(&found))?;
+    note_turning(&simulation)?;
     if wishes.view {
         say(&format!("open {} in a browser to see them swing", folder.file(PAGE).display()))?;
     }
@@ -119,6 +120,15 @@ fn arrive(simulation: &mut Simulation, wishes: Wishes) -> Result<(), Stop> {
         advanced.map_err(|failure| failed(simulation, &failure))?;
     }
     Ok(())
+}
+
+/// Says what the modes leave out where a drive turns the mechanism.
+fn note_turning(simulation: &Simulation) -> Result<(), Stop> {
+    let Some(drive) = simulation.turning_drive() else { return Ok(()) };
+    say(&format!(
+        "note: these are the modes at rest. Drive {drive} turns the mechanism: ancf14 campbell --drive {drive} gives the \
+         frequencies by its speed"
+    ))
 }
 
 /// Finds the modes with damping, and writes them.
@@ -163,6 +173,7 @@ fn damped(simulation: &Simulation, wishes: Wishes, folder: &mut Folder, director
         rows.push([(number + 1).to_string(), frequency, damped, ratio, kind, mode.moves.clone()]);
     }
     say(super::check::aligned(&rows).trim_end())?;
+    note_turning(simulation)?;
     say(&format!("{DAMPED} in {}", directory.display()))
 }
 

@@ -29,6 +29,10 @@ const NAMES: usize = 18;
 /// Widths of curves and of all other lines.
 const BOLD: u32 = 2 * FINE as u32;
 pub(crate) const THIN: u32 = FINE as u32;
+const HEAVY: u32 = 5 * FINE as u32;
+/// A dash and the gap behind it.
+const DASH: i32 = 10 * FINE;
+const GAP: i32 = 6 * FINE;
 
 /// Colors that everybody can tell apart (Okabe and Ito).
 pub(crate) const COLORS: [RGBColor; 7] = [
@@ -88,6 +92,12 @@ pub struct Line {
 pub enum Stroke {
     /// From point to point.
     Solid,
+    /// The same in dashes.
+    Dashed,
+    /// The same, thick.
+    Heavy,
+    /// The same, thin.
+    Thin,
     /// A dot at each point.
     Dots,
 }
@@ -180,8 +190,12 @@ impl Chart {
         mesh.draw()?;
         for line in lines {
             match line.stroke {
-                Stroke::Solid => {
+                Stroke::Solid | Stroke::Heavy | Stroke::Thin => {
                     chart.draw_series(LineSeries::new(thinned(&line.points), line.style()))?;
+                }
+                Stroke::Dashed => {
+                    let dashes = DashedLineSeries::new(thinned(&line.points), DASH, GAP, line.style());
+                    chart.draw_series(dashes)?;
                 }
                 Stroke::Dots => {
                     let dots = line.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
@@ -219,7 +233,14 @@ fn legend(area: &Area<'_>, lines: &[&Line], first: i32) -> Result<(), Box<dyn Er
     for (k, line) in named.iter().take(NAMES).enumerate() {
         let y = first + SPACING * k as i32;
         match line.stroke {
-            Stroke::Solid => area.draw(&PathElement::new([(4 * FINE, y), (30 * FINE, y)], line.style()))?,
+            Stroke::Solid | Stroke::Heavy | Stroke::Thin => {
+                area.draw(&PathElement::new([(4 * FINE, y), (30 * FINE, y)], line.style()))?;
+            }
+            Stroke::Dashed => {
+                for start in [4 * FINE, 4 * FINE + DASH + GAP] {
+                    area.draw(&PathElement::new([(start, y), (start + DASH, y)], line.style()))?;
+                }
+            }
             Stroke::Dots => area.draw(&Circle::new((17 * FINE, y), DOT, line.style()))?,
         }
         area.draw(&Text::new(line.name.clone(), (38 * FINE, y - 7 * FINE), label()))?;
@@ -273,7 +294,9 @@ impl Line {
     fn style(&self) -> ShapeStyle {
         let color = COLORS[self.color % COLORS.len()];
         match self.stroke {
-            Stroke::Solid => color.stroke_width(BOLD),
+            Stroke::Solid | Stroke::Dashed => color.stroke_width(BOLD),
+            Stroke::Heavy => color.stroke_width(HEAVY),
+            Stroke::Thin => color.stroke_width(THIN),
             Stroke::Dots => color.filled(),
         }
     }

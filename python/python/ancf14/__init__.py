@@ -7,6 +7,7 @@
 All numbers are in SI units and radians.
 """
 
+from ._campbell import Campbell, CriticalSpeed
 from ._errors import CallError, Error, Interrupted, ModelError, RunError, SolverWarning, VariableError
 from ._instance import Instance, State
 from ._linear import Linearization
@@ -17,6 +18,8 @@ from ._results import Page, Results
 
 __all__ = [
     "CallError",
+    "Campbell",
+    "CriticalSpeed",
     "Error",
     "Instance",
     "Interrupted",

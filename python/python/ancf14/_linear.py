@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._errors import CallError, RunError, missing
+from ._errors import CallError, RunError, missing, raising
 
 if TYPE_CHECKING:
-    from ._native import LinearSystem
+    from ._native import LinearSystem, Simulation
 
 Array = NDArray[np.float64]
 
@@ -47,10 +47,16 @@ class Linearization:
     """The outputs in that state, shape ``(m,)``."""
     time: float
     """The time of that state, s."""
+    bound: float | None
+    """Of a reduced system by balanced truncation the bound of its error, over the largest response."""
+    error: float | None
+    """Of a reduced system the largest error that responses at many frequencies show, over the largest response."""
     _native: LinearSystem = field(repr=False)
+    _simulation: Simulation = field(repr=False)
 
     @classmethod
-    def _of(cls, found: LinearSystem) -> Linearization:
+    def _of(cls, found: LinearSystem, simulation: Simulation) -> Linearization:
+        reduction = found.reduction()
         states, inputs, outputs = found.signals()
         n, k, m = len(states), len(inputs), len(outputs)
         shapes = [(n, n), (n, k), (m, n), (m, k)]
@@ -67,7 +73,10 @@ class Linearization:
             u0=np.array([value for _, _, value in inputs], dtype=float),
             y0=np.array([value for _, _, value in outputs], dtype=float),
             time=found.time(),
+            bound=None if reduction is None else reduction[2],
+            error=None if reduction is None else reduction[3],
             _native=found,
+            _simulation=simulation,
         )
 
     def _found(self) -> list[tuple[str, float, float]]:
@@ -97,6 +106,24 @@ class Linearization:
         poles, rigid = self.poles, np.array([kind == "rigid" for kind in self.kinds], dtype=bool)
         size = np.where(rigid | (poles == 0), 1.0, np.abs(poles))
         return np.where(rigid, 0.0, -poles.real / size)
+
+    def reduce(self, error: float | None = None, order: int | None = None, method: str = "balanced") -> Linearization:
+        """Return the system with fewer states: as few as keep the ``error``, a share of the largest response (default 0.01), or ``order`` of them.
+
+        ``method`` is ``"balanced"``, with a bound of the error, or ``"modal"``: the modes with the largest peaks, and the static responses of the others.
+        """
+        if method not in ("balanced", "modal"):
+            raise CallError(f'method is "balanced" or "modal", not {method!r}')
+        if error is not None and order is not None:
+            raise CallError("error and order exclude each other; give one of them")
+        if error is not None and not 0 < error < 1:
+            raise CallError(f"error is a share between 0 and 1, not {error}")
+        if order is not None and order < 1:
+            raise CallError(f"order is at least 1, not {order}")
+        share = 0.01 if error is None and order is None else error
+        with raising():
+            found = self._simulation.reduce(self._native, share, order or 0, method == "modal")
+        return Linearization._of(found, self._simulation)
 
     def to_control(self) -> Any:
         """Return a ``StateSpace`` of python-control, which it needs. Names have ``_`` for dots there, which python-control does not take."""

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._campbell import Campbell
 from ._errors import CallError, Interrupted, ModelError, RunError, SolverWarning, VariableError, error_of, raising, warn
 from ._linear import Linearization
 from ._modes import Modes
@@ -307,12 +308,20 @@ class Model:
         outputs: Sequence[str] | None = None,
         at: str | float = "start",
         parameters: Parameters | None = None,
+        *,
+        steady: tuple[str, float] | None = None,
+        without_gravity: bool = False,
     ) -> Linearization:
         """Return the linear system about a state, with exact matrices.
 
         ``inputs`` and ``outputs`` name inputs and columns of results, vectors as a whole: ``["push.force"]``; by default all of them. The motion of a drive is
         an input as its acceleration, ``"motor.acceleration"``. ``at`` is ``"start"``, ``"equilibrium"``, or a time of the run in s.
+        ``steady=("motor", 100.0)`` is about the steady rotation that this drive makes, rad/s, without gravity where ``without_gravity`` says so.
         """
+        if steady is None and without_gravity:
+            raise CallError("without_gravity is for a steady rotation; give steady as well")
+        if steady is not None and at != "start":
+            raise CallError("a steady rotation has no other state: leave out at")
         if isinstance(at, str) and at not in ("start", "equilibrium"):
             raise CallError(f'at is "start", "equilibrium" or a time in s, not {at!r}')
         for name, given in (("inputs", inputs), ("outputs", outputs)):
@@ -326,10 +335,36 @@ class Model:
             simulation.initialize()
             if not isinstance(at, str) and at > 0:
                 simulation.advance(float(at))
-            found = simulation.linearize(inputs, outputs)
+            turn = None if steady is None else (steady[0], float(steady[1]), without_gravity)
+            found = simulation.linearize(inputs, outputs, turn)
         warn([warning for warning in simulation.take_warnings() if warning not in self._notes])
         warn(found.warnings())
-        return Linearization._of(found)
+        return Linearization._of(found, simulation)
+
+    def campbell(
+        self,
+        drive: str,
+        speeds: Sequence[float] | NDArray[np.float64],
+        count: int = 8,
+        parameters: Parameters | None = None,
+        *,
+        without_gravity: bool = False,
+    ) -> Campbell:
+        """Return the vibrations of the mechanism by the speed of ``drive``, rad/s, which rises from one of ``speeds`` to the next.
+
+        ``count`` is the number of modes, the softest ones of the first speed, which are followed by their vectors.
+        """
+        wanted = [float(speed) for speed in speeds]
+        if not wanted or any(next_one <= one for one, next_one in zip(wanted, wanted[1:])) or not np.all(np.isfinite(wanted)):
+            raise CallError("speeds rise from one to the next, and there is at least one")
+        simulation = self._open(self._changes(parameters))
+        with raising():
+            simulation.initialize()
+            found = simulation.campbell(drive, wanted, count, without_gravity)
+        warn([warning for warning in simulation.take_warnings() if warning not in self._notes])
+        if found.uncertain():
+            warn([f"at {found.uncertain()} speeds it is not certain which mode continues which; take smaller steps of the speed"])
+        return Campbell._of(found)
 
     def draw(self, path: str | os.PathLike[str] | None = None) -> Picture:
         """Draw the mechanism, as SVG; with a ``path`` also write it to that file."""

@@ -17,6 +17,7 @@ mod labels;
 mod limits;
 pub mod mass;
 pub mod middle_forces;
+pub mod rotation;
 pub mod step_starts;
 mod sticking;
 mod switching;

@@ -1,6 +1,7 @@
 //! A model that runs: the one [`fmi::Model`](crate::fmi::Model) of this library, and what `ancf14 run` drives too.
 
 mod at_instant;
+pub mod campbell;
 mod companion;
 mod conclusion;
 mod derivatives;
@@ -13,12 +14,14 @@ pub mod linear;
 mod loading;
 mod mesh_error;
 pub mod pole_check;
+pub mod reduced;
 mod repeat;
 mod runner;
 mod saved;
 mod solver;
 mod start;
 mod start_derivatives;
+pub mod steady;
 mod stepping;
 
 pub use companion::{Beside, Companion, Halt, Lost, Placement, Row};
@@ -244,11 +247,7 @@ impl Simulation {
         }
         self.accuracy = Accuracy::default();
         self.forget_mesh_errors();
-        let outcome = self.measure();
-        if outcome.is_err() {
-            self.runner = before;
-        }
-        outcome
+        self.measure().inspect_err(|_| self.runner = before)
     }
 
     /// There is no last step any more that derivatives could be of, and none under way.

@@ -3,6 +3,7 @@
 
 use super::Singular;
 use faer::MatRef;
+use faer::linalg::solvers::DenseSolveCore;
 
 /// Sweeps of the balancing at most; a few are usual.
 const MOST_SWEEPS: usize = 100;
@@ -22,6 +23,24 @@ pub struct Dense {
 
 /// An eigenvalue and its eigenvector, real and imaginary parts.
 pub type Eigenpair = ([f64; 2], Vec<[f64; 2]>);
+
+/// An eigenvalue with both its vectors, real and imaginary parts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Eigen {
+    /// The eigenvalue.
+    pub value: [f64; 2],
+    /// The right vector.
+    pub right: Vec<[f64; 2]>,
+    /// The left vector.
+    pub left: Vec<[f64; 2]>,
+}
+
+impl Eigen {
+    /// `|λ|`.
+    pub fn size(&self) -> f64 {
+        self.value[0].hypot(self.value[1])
+    }
+}
 
 impl Dense {
     /// Zeros.
@@ -53,6 +72,47 @@ impl Dense {
         product
     }
 
+    /// `|left|ᵀ |self| |right|`: what the form would be if nothing canceled, the measure of its round-off.
+    pub fn magnitude(&self, left: &[[f64; 2]], right: &[[f64; 2]]) -> f64 {
+        let mut sums = vec![0.0; self.rows];
+        for (number, own) in right.iter().enumerate() {
+            let size = f64::hypot(own[0], own[1]);
+            sums.iter_mut().zip(self.column(number)).for_each(|(sum, value)| *sum += size * value.abs());
+        }
+        left.iter().zip(sums).map(|(own, sum)| f64::hypot(own[0], own[1]) * sum).sum()
+    }
+
+    /// Its eigenvalues with their right and left vectors: `yᵢᵀ xⱼ` is 1 for `i = j`, else 0.
+    ///
+    /// # Errors
+    /// They do not converge, a value is not finite, or there are fewer vectors than rows.
+    pub fn eigensystem(&self) -> Result<Vec<Eigen>, Singular> {
+        if self.values.iter().any(|value| !value.is_finite()) {
+            return Err(Singular);
+        }
+        let mut balanced = self.clone();
+        let scales = balanced.balance();
+        let found = balanced.as_faer().eigen().map_err(|_| Singular)?;
+        let (values, right) = (found.S().column_vector(), found.U());
+        let left = right.partial_piv_lu().inverse();
+        let own = (0..self.columns).map(|number| Eigen {
+            value: [values[number].re, values[number].im],
+            right: (0..self.rows)
+                .map(|row| right[(row, number)])
+                .zip(&scales)
+                .map(|(v, s)| [v.re * s, v.im * s])
+                .collect(),
+            left: (0..self.rows)
+                .map(|row| left[(number, row)])
+                .zip(&scales)
+                .map(|(v, s)| [v.re / s, v.im / s])
+                .collect(),
+        });
+        let own: Vec<Eigen> = own.collect();
+        let is_finite = |vector: &[[f64; 2]]| vector.iter().flatten().all(|value| value.is_finite());
+        if own.iter().all(|own| is_finite(&own.left)) { Ok(own) } else { Err(Singular) }
+    }
+
     /// Its eigenvalues, and of each the eigenvector, real and imaginary parts.
     ///
     /// # Errors
@@ -75,7 +135,7 @@ impl Dense {
     /// Makes rows and columns of a square matrix alike in size by a similarity with powers of 2, whose factors it
     /// returns (Parlett and Reinsch 1969). Positions and their rates of stiff beams differ by their largest frequency,
     /// which would cost the soft modes as many digits.
-    fn balance(&mut self) -> Vec<f64> {
+    pub fn balance(&mut self) -> Vec<f64> {
         let mut scales = vec![1.0; self.columns];
         for _ in 0..MOST_SWEEPS {
             let mut is_balanced = true;
@@ -104,7 +164,7 @@ impl Dense {
         scales
     }
 
-    fn as_faer(&self) -> MatRef<'_, f64> {
+    pub(super) fn as_faer(&self) -> MatRef<'_, f64> {
         MatRef::from_column_major_slice(&self.values, self.rows, self.columns)
     }
 }

@@ -3,6 +3,7 @@
 pub mod cholesky;
 mod columns;
 pub mod dense;
+mod dense_products;
 pub mod direct;
 pub mod elimination_tree;
 pub mod front;

@@ -45,7 +45,7 @@ impl Base {
         let mut standing = state.prescribed.clone();
         standing.stop();
         let is_at_rest = !moves(&state.velocity) && standing == state.prescribed;
-        let imbalance = if is_at_rest { distance(system, &state, &response)? } else { 0.0 };
+        let imbalance = if is_at_rest { imbalance_of(system, &state, &response)? } else { 0.0 };
         let is_still = is_at_rest && imbalance <= BALANCED;
         if is_still {
             // Newton leaves a little of the forces; over the masses of the stiffest motions that is much.
@@ -55,8 +55,12 @@ impl Base {
     }
 }
 
-/// See [`Base::imbalance`].
-fn distance(system: &System, state: &State, response: &Response) -> Result<f64, Error> {
+/// How far the nearest equilibrium is by the stiffness of `state` where it has the accelerations of `response`, see
+/// [`Base::imbalance`].
+///
+/// # Errors
+/// The constraints are redundant.
+pub(super) fn imbalance_of(system: &System, state: &State, response: &Response) -> Result<f64, Error> {
     let mut kkt = Kkt::for_equilibria(system);
     let stiffness = linearize(system, state, &response.multipliers, &mut kkt).symmetric_part();
     let mut cache = FrameCache::default();

@@ -13,15 +13,22 @@
 
 pub mod base;
 mod differences;
+mod gramian;
 pub mod independent;
+mod modal;
 pub mod poles;
 pub mod state_space;
+pub mod steady;
+pub mod tracking;
+pub mod truncation;
 
 use self::base::Base;
-use self::independent::Selection;
+use self::independent::{Independent, Selection};
 use crate::error::Error;
+use crate::math::Mat3;
 use crate::math::blocks::Blocks;
 use crate::math::vectors::vec3;
+use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
@@ -30,6 +37,7 @@ use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic::{self, ChartRate};
 use crate::mechanics::system::mass::MassAt;
 use crate::solve::newton::kkt::Kkt;
+use crate::solve::step::response::Response;
 
 /// The inputs of a linear system, as the linearization asks for them.
 pub trait Inputs {
@@ -39,6 +47,19 @@ pub trait Inputs {
     fn is_motion(&self, number: usize) -> bool;
     /// Changes input `number` by `by` in `state`: of a motion the derivative of order `order` (0 to 2), else order 0.
     fn change(&self, number: usize, order: usize, by: f64, state: &mut State);
+}
+
+/// No inputs.
+impl Inputs for () {
+    fn count(&self) -> usize {
+        0
+    }
+
+    fn is_motion(&self, _number: usize) -> bool {
+        false
+    }
+
+    fn change(&self, _number: usize, _order: usize, _by: f64, _state: &mut State) {}
 }
 
 /// The equations about a state, without what is given from outside.
@@ -60,18 +81,26 @@ pub struct Linearization {
     time: f64,
 }
 
-impl Linearization {
-    /// Differentiates the equations about `base`.
-    ///
-    /// # Errors
-    /// The constraints are redundant.
-    pub fn new(system: &System, base: &Base) -> Result<Self, Error> {
-        let Base { state, response, .. } = base;
+/// The derivatives of the left-hand side of the equations about a state that have closed forms: of the forces of
+/// elements, springs, loads and inertia, and of the constraints.
+#[derive(Debug)]
+struct Tangents {
+    /// Derivatives with respect to the coordinates, their charts being those of the state.
+    by_q: Blocks,
+    /// Derivatives with respect to the velocities, without inertia.
+    by_v: Blocks,
+    /// The part of inertia.
+    by_spin: Blocks,
+    gradients: Vec<JointGradient>,
+}
+
+impl Tangents {
+    /// Those about `state`, which moves on as `response` says; the blocks of `kkt` are scratch memory.
+    fn new(system: &System, state: &State, response: &Response, kkt: &mut Kkt) -> Self {
         let (mut cache, mut excitation) = (FrameCache::default(), Excitation::default());
         let configuration = cache.of(system, state);
         system.excite(state.time, &state.targets, &mut excitation);
         let (mut forces, mut gradients) = (vec![0.0; system.coordinates()], Vec::new());
-        let mut kkt = Kkt::for_equilibria(system);
 
         let passage = Passage::with_velocity(&state.velocity);
         system.forces_and_tangent(&configuration, &passage, &excitation, 1.0, &mut forces, &mut kkt.blocks);
@@ -79,7 +108,7 @@ impl Linearization {
         let mut by_q = kkt.blocks.leading(forces.len());
         kkt.blocks.clear();
         system.set_damping(&configuration, &state.velocity, &excitation, &mut kkt.blocks);
-        let mut by_v = kkt.blocks.leading(forces.len());
+        let by_v = kkt.blocks.leading(forces.len());
         kkt.blocks.clear();
 
         cache.set(system, &state.q, &state.triads);
@@ -92,26 +121,54 @@ impl Linearization {
         gyroscopic::add_rate_tangent(system, (&cache, drives), motion, [0.0; 2], 1.0, &mut by_q);
         let mut by_spin = kkt.blocks.leading(forces.len());
         gyroscopic::add_rate_damping(system, (&cache, drives), [motion[0], motion[1]], &mut by_spin);
+        Self { by_q, by_v, by_spin, gradients }
+    }
+}
+
+impl Linearization {
+    /// Differentiates the equations about `base`.
+    ///
+    /// # Errors
+    /// The constraints are redundant.
+    pub fn new(system: &System, base: &Base) -> Result<Self, Error> {
+        let (state, response) = (&base.state, &base.response);
+        let mut kkt = Kkt::for_equilibria(system);
+        let Tangents { mut by_q, mut by_v, mut by_spin, gradients } = Tangents::new(system, state, response, &mut kkt);
         [&mut by_q, &mut by_v, &mut by_spin].into_iter().for_each(Blocks::negate);
 
         let mut rates_by_q = Blocks::default();
         if !base.is_still {
             differences::push(system, base, [&mut by_q, &mut by_spin, &mut rates_by_q]);
         }
+        let mut cache = FrameCache::default();
+        cache.set(system, &state.q, &state.triads);
+        let mass = MassAt::new(&state.prescribed.drives, &cache);
         let mut kkt = Kkt::for_projections(system);
         // Water moves with beams that are accelerated.
         system.add_mass(mass.wet(&state.q, state.time), 1.0, &mut kkt.blocks);
         kkt.set_constraints(system, &gradients, &gradients, 1.0);
         kkt.factorize(system, state.time)?;
         let turning = gyroscopic::chart_rates(system, &cache, &state.velocity);
-        let (coordinates, time) = (forces.len(), state.time);
+        let (coordinates, time) = (state.q.len(), state.time);
         Ok(Self { by_q, by_v, by_spin, rates_by_q, turning, kkt, coordinates, time })
     }
 
     /// The independent coordinates about `base`; none where nothing can move.
     pub fn select(&self, system: &System, base: &Base) -> Option<Selection> {
+        self.select_along(system, base, &Mat3::identity(), None)
+    }
+
+    /// Those along the axes `axes`: the coordinates `known` where they are given. None where these cannot be
+    /// independent.
+    pub fn select_along(
+        &self,
+        system: &System,
+        base: &Base,
+        axes: &Mat3,
+        known: Option<&[Independent]>,
+    ) -> Option<Selection> {
         let released = system.released_constraints(&base.state.prescribed);
-        Selection::new(system, &self.kkt.blocks, &base.state.q, released)
+        Selection::new(system, &self.kkt.blocks, &base.state.q, (axes, known), released)
     }
 
     /// Adds `R_q dq + R_v dv` to `right`.

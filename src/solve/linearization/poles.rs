@@ -66,24 +66,12 @@ impl Pole {
 /// # Errors
 /// They do not converge.
 pub fn poles(system: &System, base: &Base, selection: &Selection, a: &Dense) -> Result<Vec<Pole>, Singular> {
-    let stillness = Stillness::new(system, base);
     let found = a.eigenvectors()?;
-    let largest = found.iter().map(|(value, _)| value[0].hypot(value[1])).fold(0.0, f64::max);
+    let kinds = Kinds::new(system, base, found.iter().map(|(value, _)| *value));
     let mut poles: Vec<Pole> = Vec::new();
     for (value, vector) in found.into_iter().filter(|(value, _)| value[1] >= 0.0) {
         let (shape, parts) = shape(selection, &vector);
-        let size = value[0].hypot(value[1]);
-        let noise = NOISE * largest;
-        let kind = if size <= noise || stillness.is_rigid(system, size, &shape) {
-            PoleKind::Rigid
-        } else if value[0] > noise.max(LEAST_RATIO * size) {
-            PoleKind::Unstable
-        } else if value[1] > 0.0 {
-            PoleKind::Oscillating
-        } else {
-            PoleKind::Overdamped
-        };
-        poles.push(Pole { value, kind, shape, parts });
+        poles.push(Pole { value, kind: kinds.of(system, value, &shape), shape, parts });
     }
     poles.sort_by(|a, b| a.natural_frequency().total_cmp(&b.natural_frequency()));
     Ok(poles)
@@ -91,7 +79,7 @@ pub fn poles(system: &System, base: &Base, selection: &Selection, a: &Dense) -> 
 
 /// The motion of the coordinates when it is largest, by the vector of its pole; and real and imaginary part of that
 /// vector in all coordinates.
-fn shape(selection: &Selection, vector: &[[f64; 2]]) -> (Vec<f64>, [Vec<f64>; 2]) {
+pub(super) fn shape(selection: &Selection, vector: &[[f64; 2]]) -> (Vec<f64>, [Vec<f64>; 2]) {
     let free = selection.chosen.len();
     let parts = [0, 1].map(|part| vector[..free].iter().map(|value| value[part]).collect::<Vec<f64>>());
     let [real, imaginary] = parts.each_ref().map(|part| dot(part, part));
@@ -101,6 +89,39 @@ fn shape(selection: &Selection, vector: &[[f64; 2]]) -> (Vec<f64>, [Vec<f64>; 2]
     let parts = parts.map(|part| selection.shapes.times(&part));
     let shape = parts[0].iter().zip(&parts[1]).map(|(real, imaginary)| cos * real - sin * imaginary).collect();
     (shape, parts)
+}
+
+/// Tells how motions go on, by the poles of a system and their shapes.
+pub(super) struct Kinds {
+    stillness: Stillness,
+    noise: f64,
+}
+
+impl Kinds {
+    /// Prepares for the system about `base`, with all its poles.
+    pub fn new(system: &System, base: &Base, poles: impl Iterator<Item = [f64; 2]>) -> Self {
+        let largest = poles.map(|value| value[0].hypot(value[1])).fold(0.0, f64::max);
+        Self { stillness: Stillness::new(system, base), noise: NOISE * largest }
+    }
+
+    /// The kind of the pole `value`.
+    pub fn of(&self, system: &System, value: [f64; 2], shape: &[f64]) -> PoleKind {
+        self.of_noisy(system, value, shape, || self.noise)
+    }
+
+    /// The same with the round-off `noise` of this pole, where its real part is positive.
+    pub fn of_noisy(&self, system: &System, value: [f64; 2], shape: &[f64], noise: impl FnOnce() -> f64) -> PoleKind {
+        let size = value[0].hypot(value[1]);
+        if size <= self.noise || self.stillness.is_rigid(system, size, shape) {
+            PoleKind::Rigid
+        } else if value[0] > LEAST_RATIO * size && value[0] > noise() {
+            PoleKind::Unstable
+        } else if value[1] != 0.0 {
+            PoleKind::Oscillating
+        } else {
+            PoleKind::Overdamped
+        }
+    }
 }
 
 /// Tells motions that nothing holds by the stiffness of their shapes.

@@ -12,6 +12,7 @@ use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::mechanics::system::rotation::Rotation;
 use crate::mechanics::system::variation::Variation;
 use crate::solve::linear::dense::Dense;
 use crate::solve::sensitivity::STENCIL;
@@ -56,6 +57,10 @@ pub struct Reduction<'a, I> {
     linearization: Linearization,
     responder: Responder,
     frames: FrameCache,
+    /// The frame that the states are seen from, which turns; none: the fixed frame.
+    rotation: Option<&'a Rotation>,
+    /// Rates and second derivatives of the coordinates of the base, as seen from there.
+    relative: [Vec<f64>; 2],
 }
 
 impl<'a, I: Inputs> Reduction<'a, I> {
@@ -66,7 +71,15 @@ impl<'a, I: Inputs> Reduction<'a, I> {
         selection: &'a Selection,
     ) -> Self {
         let (responder, frames) = (Responder::new(system), FrameCache::default());
-        Self { system, base, inputs, selection, linearization, responder, frames }
+        let relative = [base.state.velocity.clone(), base.response.acceleration.clone()];
+        Self { system, base, inputs, selection, linearization, responder, frames, rotation: None, relative }
+    }
+
+    /// The same, with states as seen from a frame that turns with `rotation` and has now the axes of the selection.
+    #[must_use]
+    pub fn seen_from(self, rotation: &'a Rotation) -> Self {
+        let relative = rotation.relative_motion(&self.base.state, &self.base.response.acceleration);
+        Self { rotation: Some(rotation), relative, ..self }
     }
 
     /// The matrices; `read` tells the outputs of a state, `outputs` in number.
@@ -186,8 +199,9 @@ impl<'a, I: Inputs> Reduction<'a, I> {
         let mut present = vec![0.0; free];
         if !self.base.is_at_rest {
             let mut turned = vec![0.0; coordinates];
-            self.linearization.add_turning(&q, 1.0, &mut turned);
-            self.selection.read(self.system, &[(1.0, &self.base.state.velocity, &q)], &turned, &mut present);
+            self.add_turning(&q, &mut turned);
+            let pairs = [(1.0, &self.relative[0][..], &q[..]), (1.0, &self.base.state.q, &turned)];
+            self.selection.read(self.system, &pairs, &turned, &mut present);
             let mut own = vec![0.0; rates.len()];
             self.linearization.rates_by_q.multiply_add(&q, &mut own);
             rates.iter_mut().zip(&own).for_each(|(rate, own)| *rate -= own);
@@ -236,22 +250,29 @@ impl<'a, I: Inputs> Reduction<'a, I> {
         Ok(())
     }
 
+    /// `target += (N − W) q`: what charts that go with the motion, and the frame, change the rates by.
+    fn add_turning(&self, q: &[f64], target: &mut [f64]) {
+        self.linearization.add_turning(q, 1.0, target);
+        if let Some(rotation) = self.rotation {
+            target.iter_mut().zip(rotation.cross(q)).for_each(|(own, turned)| *own -= turned);
+        }
+    }
+
     /// Sets `rows` to the second derivatives of the independent coordinates.
     fn accelerations(&self, motion: &Motion, rows: &mut [f64]) {
         let state = &self.base.state;
         let Motion { q, velocity, response, .. } = motion;
-        let mut second = response.acceleration.clone();
+        let (mut rate, mut second) = (velocity.clone(), response.acceleration.clone());
         if !self.base.is_at_rest {
-            // d²q/dt² = da + N dq/dt, dq/dt = dv + N dq.
-            let mut rate = velocity.clone();
-            self.linearization.add_turning(q, 1.0, &mut rate);
-            self.linearization.add_turning(&rate, 1.0, &mut second);
+            // d²q/dt² = da − W dv + (N − W) dq/dt, dq/dt = dv + (N − W) dq.
+            self.add_turning(q, &mut rate);
+            self.add_turning(&rate, &mut second);
+            if let Some(rotation) = self.rotation {
+                second.iter_mut().zip(rotation.cross(velocity)).for_each(|(own, turned)| *own -= turned);
+            }
         }
-        let pairs = [
-            (1.0, &self.base.response.acceleration[..], &q[..]),
-            (2.0, &state.velocity, velocity),
-            (1.0, &state.q, &response.acceleration),
-        ];
+        let [base_rate, base_second] = &self.relative;
+        let pairs = [(1.0, &base_second[..], &q[..]), (2.0, base_rate, &rate), (1.0, &state.q, &second)];
         self.selection.read(self.system, &pairs, &second, rows);
     }
 

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "an unmet expectation is a failed test")]
 #![allow(clippy::print_stdout, reason = "a test shows its measured figures with --nocapture")]
 
+mod campbell_command;
 mod command_line;
 mod drawing_views;
 mod export_command;

@@ -6,6 +6,7 @@ use crate::fmi::Failure;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::mechanics::system::rotation::Rotation;
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::variables::{Moment, Source};
 use crate::solve::linear::dense::Dense;
@@ -14,6 +15,7 @@ use crate::solve::linearization::base::{BALANCED, Base};
 use crate::solve::linearization::independent::Selection;
 use crate::solve::linearization::poles::{self, MOST_STATES};
 use crate::solve::linearization::state_space::{Reduction, StateSpace};
+use crate::solve::linearization::steady::Frame;
 use crate::solve::step::response::Response;
 
 pub use crate::solve::linear::dense::Dense as Matrix;
@@ -31,6 +33,17 @@ pub struct Signal {
     pub unit: String,
     /// Its value in the state that the system is linearized about; of states their change, 0.
     pub value: f64,
+}
+
+/// A steady rotation that a linear system is about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steady {
+    /// The name of the drive.
+    pub drive: String,
+    /// Its rate, rad/s.
+    pub speed: f64,
+    /// The axes that the states are counted along: those in which the matrices stay the same.
+    pub frame: Frame,
 }
 
 /// `dx/dt = A x + B (u − u₀)`, `y − y₀ = C x + D (u − u₀)` about a state.
@@ -55,6 +68,8 @@ pub struct Linear {
     pub time: f64,
     /// Warnings about the state.
     pub warnings: Vec<String>,
+    /// The steady rotation that it is about; none: a state.
+    pub steady: Option<Steady>,
     base: Base,
     selection: Selection,
 }
@@ -68,10 +83,23 @@ impl Simulation {
     pub fn linearize(&self, inputs: Option<&[String]>, outputs: Option<&[String]>) -> Result<Linear, Failure> {
         let system = self.system();
         let base = self.linear_base(system)?;
-        let given = Self::chosen(self.givens(&base.state), inputs)?;
-        let results = self.linear_outputs(outputs)?;
         let linearization = Linearization::new(system, &base).map_err(|error| failure(&error))?;
         let selection = self.select(system, &linearization, &base)?;
+        let warnings = warnings(system, &base);
+        self.linear_about(system, (base, linearization, selection), None, (inputs, outputs), warnings)
+    }
+
+    /// The linear system about `base` in the coordinates `selection`; of a steady rotation `steady`.
+    pub(super) fn linear_about(
+        &self,
+        system: &System,
+        (base, linearization, selection): (Base, Linearization, Selection),
+        steady: Option<(Steady, &Rotation)>,
+        (inputs, outputs): (Option<&[String]>, Option<&[String]>),
+        warnings: Vec<String>,
+    ) -> Result<Linear, Failure> {
+        let given = Self::chosen(self.givens(&base.state), inputs)?;
+        let results = self.linear_outputs(outputs)?;
         let asked = Asked { document: &self.document, inputs: &self.inputs, given, system };
         let mut table = (*self.table).clone();
         // Rates count, also of a model whose results are equilibria.
@@ -86,6 +114,9 @@ impl Simulation {
         let mut present = vec![0.0; results.len()];
         read(&base.state, &base.response, &mut present);
         let mut reduction = Reduction::new((system, &base, &asked), linearization, &selection);
+        if let Some((Steady { frame: Frame::Turning, .. }, rotation)) = &steady {
+            reduction = reduction.seen_from(rotation);
+        }
         let StateSpace { a, b, c, d } = reduction.matrices(results.len(), read).map_err(|error| failure(&error))?;
         let outputs = results.iter().zip(present).map(|(number, value)| {
             let (name, unit) = &self.table.results[*number];
@@ -99,7 +130,8 @@ impl Simulation {
                 .collect(),
             outputs: outputs.collect(),
             time: base.state.time,
-            warnings: warnings(system, &base),
+            warnings,
+            steady: steady.map(|(steady, _)| steady),
             a,
             b,
             c,
@@ -163,7 +195,12 @@ impl Simulation {
         Base::new(system, &state).map_err(|error| failure(&error))
     }
 
-    fn select(&self, system: &System, linearization: &Linearization, base: &Base) -> Result<Selection, Failure> {
+    pub(super) fn select(
+        &self,
+        system: &System,
+        linearization: &Linearization,
+        base: &Base,
+    ) -> Result<Selection, Failure> {
         let selection = linearization.select(system, base).ok_or_else(|| {
             wrong(String::from("nothing can move: the constraints leave no degree of freedom to linearize"))
         })?;
@@ -218,13 +255,18 @@ impl Linear {
         poles::poles(simulation.system(), &self.base, &self.selection, &a).map_err(|_| not_found())
     }
 
+    /// How many states are values and rates of inputs that prescribe a motion.
+    pub(super) fn integrators(&self) -> usize {
+        self.states.len() - 2 * self.selection.chosen.len()
+    }
+
     /// Whether nothing moves in the state that the system is about.
     pub fn is_at_rest(&self) -> bool {
         self.base.is_at_rest
     }
 }
 
-fn check_poles(states: usize) -> Result<(), Failure> {
+pub(super) fn check_poles(states: usize) -> Result<(), Failure> {
     if states <= MOST_STATES {
         return Ok(());
     }
@@ -233,7 +275,7 @@ fn check_poles(states: usize) -> Result<(), Failure> {
     )))
 }
 
-fn not_found() -> Failure {
+pub(super) fn not_found() -> Failure {
     wrong(String::from("the poles of the linear system are not found: their iteration does not converge"))
 }
 
@@ -265,11 +307,16 @@ fn warnings(system: &System, base: &Base) -> Vec<String> {
              whether they do",
         ));
     }
-    if system.has_dry_friction() {
-        warnings.push(String::from(
+    warnings.extend(warning_of_friction(system));
+    warnings
+}
+
+/// A warning if there is dry friction.
+pub(super) fn warning_of_friction(system: &System) -> Option<String> {
+    system.has_dry_friction().then(|| {
+        String::from(
             "dry friction enters with the slope that it has in this state, the stiffness of sticking where it holds: \
              the linear system is right for motions that do not slide; for others give the joint viscous friction",
-        ));
-    }
-    warnings
+        )
+    })
 }

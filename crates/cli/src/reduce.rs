@@ -1,0 +1,88 @@
+//! `reduce`: the linear system of a mechanism with fewer states, as a file.
+
+use super::linearize::{self, Format, Place};
+use super::{ModelArguments, Stop, failed, output, say, voice};
+use ancf14::fmi::Model;
+use ancf14::model::reduced::{Method, Reduced, Size};
+use ancf14_report::matrices::System;
+use serde_json::json;
+use std::path::PathBuf;
+
+/// The arguments of `reduce`.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Wishes {
+    #[command(flatten)]
+    place: Place,
+    /// Largest error, as a share of the largest response: 0.01 or 1% [default: 1%]
+    #[arg(long, value_name = "ERROR", value_parser = error, conflicts_with = "order")]
+    error: Option<f64>,
+    /// Number of states instead
+    #[arg(long, value_name = "N", value_parser = super::modes::count)]
+    order: Option<u16>,
+    /// How states are left out: balanced has a bound of the error; modal keeps the modes with the largest peaks, and
+    /// the static responses of the others
+    #[arg(long, value_enum, default_value_t)]
+    method: Way,
+    /// Print the largest error over many frequencies
+    #[arg(long)]
+    check: bool,
+    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, or .json
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+}
+
+/// How states are left out.
+#[derive(clap::ValueEnum, Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Way {
+    #[default]
+    Balanced,
+    Modal,
+}
+
+/// The error where nothing is asked for.
+const ERROR: f64 = 0.01;
+
+fn error(text: &str) -> Result<f64, String> {
+    let (number, factor) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 0.01));
+    let share = number.trim().parse().ok().map(|number: f64| factor * number);
+    let share = share.filter(|share| *share > 0.0 && *share < 1.0);
+    share.ok_or_else(|| "a share between 0 and 1 was expected, as in 0.01 or 1%".to_owned())
+}
+
+/// Reduces, and writes the file.
+pub fn reduce(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
+    let format = Format::of(&wishes.output)?;
+    output::spare(&[model.input()], std::slice::from_ref(&wishes.output))?;
+    output::try_out(&wishes.output)?;
+    let (simulation, whole) = linearize::find(model, &wishes.place)?;
+    let size = match wishes.order {
+        Some(order) => Size::Order(usize::from(order)),
+        None => Size::Error(wishes.error.unwrap_or(ERROR)),
+    };
+    let method = match wishes.method {
+        Way::Balanced => Method::Balanced,
+        Way::Modal => Method::Modal,
+    };
+    let found = whole.reduce(&simulation, size, method).map_err(|failure| failed(&simulation, &failure))?;
+    let name = simulation.about().name.clone();
+    let version = env!("CARGO_PKG_VERSION");
+    let system = System { linear: &found.linear, poles: &found.poles, model: &name, version };
+    output::write(&wishes.output, &format.bytes(&system)?)?;
+    let Reduced { linear, whole, kept, bound, error, .. } = &found;
+    let order = linear.states.len();
+    if voice::is_json() {
+        let error = wishes.check.then_some(error);
+        voice::deliver(json!({ "order": order, "states": whole, "kept": kept, "bound": bound, "error": error }));
+        return Ok(());
+    }
+    let bound =
+        bound.map_or_else(String::new, |bound| format!(", the error is at most {bound:.1e} of the largest response"));
+    let kept = if *kept > 0 { format!(", {kept} of them kept exactly") } else { String::new() };
+    say(&format!("{whole} states reduced to {order}{kept}{bound}: {}", wishes.output.display()))?;
+    if wishes.check || wishes.method == Way::Modal {
+        say(&format!(
+            "the largest error at the frequencies that were looked at is {error:.1e} of the largest response"
+        ))?;
+    }
+    Ok(())
+}

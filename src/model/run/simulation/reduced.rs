@@ -1,0 +1,94 @@
+//! Linear systems with fewer states.
+
+use super::linear::{Linear, Pole, PoleKind, Signal, check_poles, not_found};
+use super::{Simulation, wrong};
+use crate::fmi::Failure;
+use crate::solve::linearization::state_space::StateSpace;
+use crate::solve::linearization::truncation::{self, Origin, Refusal, Truncated, Whole};
+
+pub use crate::solve::linearization::truncation::{Method, Size};
+
+/// A linear system with fewer states.
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    /// The system; [`Linear::poles`] are those of the whole one.
+    pub linear: Linear,
+    /// Its poles.
+    pub poles: Vec<Pole>,
+    /// How many states the whole system has.
+    pub whole: usize,
+    /// How many states are kept exactly: those of poles that do not fade.
+    pub kept: usize,
+    /// The bound of the error over the largest response; none: the method has none.
+    pub bound: Option<f64>,
+    /// The largest error that the responses at many frequencies show, over the largest response.
+    pub error: f64,
+}
+
+impl Linear {
+    /// The same system with fewer states.
+    ///
+    /// # Errors
+    /// There are no inputs or outputs, too many states, or more poles that do not fade than states are wanted.
+    pub fn reduce(&self, simulation: &Simulation, size: Size, method: Method) -> Result<Reduced, Failure> {
+        if self.inputs.is_empty() || self.outputs.is_empty() {
+            return Err(wrong(String::from(
+                "a system is reduced for its inputs and outputs, and this one lacks them; name some by --inputs and \
+                 --outputs",
+            )));
+        }
+        let states = self.states.len();
+        check_poles(states)?;
+        let rigid = self.poles(simulation)?.into_iter().filter(|pole| pole.kind == PoleKind::Rigid);
+        let rigid: usize = rigid.map(|pole| if pole.value[1] > 0.0 { 2 } else { 1 }).sum();
+        let Self { a, b, c, d, .. } = self.clone();
+        let integrators = self.integrators();
+        let kind = |output: &Signal| self.outputs.iter().position(|other| other.unit == output.unit);
+        let kinds = self.outputs.iter().filter_map(kind).collect();
+        let matrices = StateSpace { a, b, c, d };
+        let zeros = rigid + integrators;
+        let whole = Whole { matrices, zeros, integrators, kinds };
+        let found = truncation::reduce(&whole, size, method);
+        let Truncated { matrices, origins, kept, bound, error } = found.map_err(|refusal| match refusal {
+            Refusal::NotFound => not_found(),
+            Refusal::Kept(kept) => wrong(format!(
+                "{kept} states have poles that do not fade and are kept as they are, more than are wanted; ask for at \
+                 least {kept} states, or give materials and joints their damping"
+            )),
+        })?;
+        // Those at 0 have a block of their own, the first one.
+        let own: Vec<usize> = (zeros..matrices.a.rows).collect();
+        let rest = matrices.a.rows_of(&own).transposed().rows_of(&own).transposed();
+        let found = rest.eigenvectors().map_err(|_| not_found())?.into_iter().map(|(value, _)| value);
+        let found = found.filter(|value| value[1] >= 0.0).map(pole);
+        let mut poles: Vec<Pole> = vec![pole([0.0; 2]); zeros].into_iter().chain(found).collect();
+        poles.sort_by(|a, b| a.natural_frequency().total_cmp(&b.natural_frequency()));
+        let mut numbers = [0; 2];
+        let mut name = |origin: &Origin| {
+            let (number, word) = match *origin {
+                Origin::State(state) => return self.states[state].clone(),
+                Origin::Mode => (&mut numbers[0], "mode"),
+                Origin::Balanced => (&mut numbers[1], "balanced"),
+            };
+            *number += 1;
+            Signal { name: format!("{word}[{number}]"), unit: String::new(), value: 0.0 }
+        };
+        let signals = origins.iter().map(&mut name).collect();
+        let StateSpace { a, b, c, d } = matrices;
+        let mut linear = self.clone();
+        linear.states = signals;
+        (linear.a, linear.b, linear.c, linear.d) = (a, b, c, d);
+        Ok(Reduced { linear, poles, whole: states, kept, bound, error })
+    }
+}
+
+/// A pole without a shape.
+fn pole(value: [f64; 2]) -> Pole {
+    let kind = match value {
+        [0.0, 0.0] => PoleKind::Rigid,
+        [real, _] if real > 0.0 => PoleKind::Unstable,
+        [_, swing] if swing > 0.0 => PoleKind::Oscillating,
+        _ => PoleKind::Overdamped,
+    };
+    Pole { value, kind, shape: Vec::new(), parts: [Vec::new(), Vec::new()] }
+}

@@ -1,0 +1,387 @@
+//! Linear systems with fewer states: balanced truncation, whose error has a bound, and truncation of modes with static
+//! correction.
+//!
+//! Poles at 0, and poles that do not fade, have no Gramians. They are split off first and kept as they are; the stable
+//! rest is reduced. `‖G − G_r‖∞ ≤ 2 Σ σ` over the Hankel singular values that are left out (Enns 1984, Glover 1984).
+//! Outputs and inputs are measured by their largest responses, so that units do not matter.
+
+use super::gramian::{Complex, factor, over, real, times};
+use super::modal::{Modes, norm, pairs};
+use super::state_space::StateSpace;
+use crate::solve::linear::Singular;
+use crate::solve::linear::dense::{Dense, PivotedQr};
+
+/// Entries below this share of what cancels in them are 0 in the equations of poles at 0.
+const ROUND_OFF: f64 = 1e-9;
+/// Factor that makes states that integrate inputs the first ones of the pivots.
+const FIRST: f64 = 1e6;
+/// An output whose largest response is below this share of that of another one with the same unit has none.
+const SILENT: f64 = 1e-9;
+/// Frequencies at which responses are compared, besides those of the poles.
+const GRID: usize = 400;
+/// Factor by which they reach beyond the least and the largest pole.
+const BEYOND: f64 = 100.0;
+
+/// How states are left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Those that inputs move and outputs see least.
+    Balanced,
+    /// Modes with the smallest peaks, whose static responses stay.
+    Modal,
+}
+
+/// How many states stay.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Size {
+    /// The fewest that keep this error, as a share of the largest response.
+    Error(f64),
+    /// So many, those included that are always kept.
+    Order(usize),
+}
+
+/// Why a system is not reduced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// Eigenvalues do not converge.
+    NotFound,
+    /// More states have poles that do not fade than are wanted.
+    Kept(usize),
+}
+
+impl From<Singular> for Refusal {
+    fn from(_: Singular) -> Self {
+        Self::NotFound
+    }
+}
+
+/// A state of a reduced system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// A state of the whole system, which a pole at 0 belongs to.
+    State(usize),
+    /// A coordinate of a mode.
+    Mode,
+    /// A balanced state.
+    Balanced,
+}
+
+/// A reduced system.
+#[derive(Clone, Debug)]
+pub struct Truncated {
+    /// The matrices.
+    pub matrices: StateSpace,
+    /// The origin of each state.
+    pub origins: Vec<Origin>,
+    /// Number of states that are kept exactly: of poles that do not fade.
+    pub kept: usize,
+    /// The bound of the error, over the largest response; none: the method has none.
+    pub bound: Option<f64>,
+    /// The largest error that the responses show, over the largest response.
+    pub error: f64,
+}
+
+/// The system that is to be reduced.
+#[derive(Clone, Debug)]
+pub struct Whole {
+    /// Its matrices.
+    pub matrices: StateSpace,
+    /// Number of poles at 0.
+    pub zeros: usize,
+    /// Number of states, the last ones, that integrate inputs: poles at 0, too.
+    pub integrators: usize,
+    /// The number, for each output, of the first one with the same unit.
+    pub kinds: Vec<usize>,
+}
+
+/// Reduces `system`.
+///
+/// # Errors
+/// Eigenvalues do not converge, or too many poles do not fade.
+pub fn reduce(system: &Whole, size: Size, method: Method) -> Result<Truncated, Refusal> {
+    let Whole { matrices: whole, kinds, .. } = system;
+    let (fixed, origins, rest) = split(system)?;
+    let found = rest.a.eigensystem()?;
+    let (lasting, fading) = pairs(&found);
+    let lasting = Modes::new(&lasting, &rest.b, &rest.c);
+    let mut modes = Modes::new(&fading, &rest.b, &rest.c);
+    let kept = fixed.a.rows + lasting.poles.len();
+    if let Size::Order(order) = size
+        && order < kept
+    {
+        return Err(Refusal::Kept(kept));
+    }
+    let grid = grid(&modes.poles);
+    let units = units(&modes, &whole.d, kinds, &grid);
+    modes.scale([&units[0], &units[1]]);
+    let [d, mut own_d] = [scaled(&whole.d, &units), Dense::zeros(whole.d.rows, whole.d.columns)];
+    let peak = grid.iter().map(|omega| norm(&plus(&modes.response(*omega, d.values.len()), &d), d.rows));
+    let peak = peak.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+
+    let ([a, b, c], origin, bound, error) = match method {
+        Method::Balanced => {
+            let (matrices, bound, error) = balance(&modes, size, kept, peak, &grid)?;
+            (matrices, Origin::Balanced, Some(bound), error)
+        }
+        Method::Modal => {
+            let (chosen, error, correction) = choose(&modes, size, kept, peak, &grid);
+            own_d = correction;
+            (modes.real(&chosen), Origin::Mode, None, error)
+        }
+    };
+    let [outputs, inputs] = &units;
+    let mut parts = vec![[fixed.a, fixed.b, fixed.c], lasting.real(&(0..lasting.poles.len()).collect::<Vec<_>>())];
+    let mut own = [a, b, c];
+    for (input, unit) in inputs.iter().enumerate() {
+        own[1].column_mut(input).iter_mut().for_each(|value| *value /= unit);
+        own_d.column_mut(input).iter_mut().for_each(|value| *value /= unit);
+    }
+    for values in [&mut own[2].values, &mut own_d.values] {
+        values.iter_mut().zip(outputs.iter().cycle()).for_each(|(value, unit)| *value *= unit);
+    }
+    own_d.values.iter_mut().zip(&whole.d.values).for_each(|(own, whole)| *own += whole);
+    let mut all = origins;
+    all.extend(vec![Origin::Mode; lasting.poles.len()]);
+    all.extend(vec![origin; own[0].rows]);
+    parts.push(own);
+    Ok(Truncated { matrices: together(&parts, own_d), origins: all, kept, bound, error })
+}
+
+/// The part of the poles at 0 in states of the whole system, with these, and the rest.
+fn split(system: &Whole) -> Result<(StateSpace, Vec<Origin>, StateSpace), Refusal> {
+    let Whole { matrices: whole, zeros, integrators, .. } = system;
+    let (StateSpace { a, b, c, d }, zeros) = (whole, *zeros);
+    let states = a.rows;
+    let none = Dense::zeros(d.rows, d.columns);
+    if zeros == 0 {
+        let fixed =
+            StateSpace { a: Dense::zeros(0, 0), b: Dense::zeros(0, b.columns), c: Dense::zeros(c.rows, 0), d: none };
+        return Ok((fixed, Vec::new(), whole.clone()));
+    }
+    let mut balanced = a.clone();
+    let scales = balanced.balance();
+    let mut sizes: Vec<f64> =
+        balanced.eigenvectors()?.iter().map(|(value, _)| f64::hypot(value[0], value[1])).collect();
+    sizes.sort_by(f64::total_cmp);
+    let next = sizes.get(zeros).copied().unwrap_or(1.0);
+    let mut right = balanced.space_near_zero(zeros, next)?;
+    let mut left = balanced.transposed().space_near_zero(zeros, next)?;
+    for number in 0..zeros {
+        right.column_mut(number).iter_mut().zip(&scales).for_each(|(value, scale)| *value *= scale);
+        left.column_mut(number).iter_mut().zip(&scales).for_each(|(value, scale)| *value /= scale);
+    }
+    // A unit of one of these states at a time.
+    let mut preferred = right.clone();
+    for number in 0..zeros {
+        preferred.column_mut(number)[states - integrators..].iter_mut().for_each(|value| *value *= FIRST);
+    }
+    let held = pivots(&preferred);
+    let right = right.transposed();
+    let right = right.rows_of(&(0..zeros).collect::<Vec<_>>()).transposed();
+    let right = right.rows_of(&held).transposed().solve(&right.transposed()).transposed();
+    let left = left.transposed().product(&right).solve(&left.transposed());
+    let mut own = a.rows_of(&held).product(&right);
+    for (row, held) in held.iter().enumerate() {
+        for column in 0..zeros {
+            let canceled: f64 = (0..states).map(|state| (a.at(*held, state) * right.at(state, column)).abs()).sum();
+            let value = &mut own.column_mut(column)[row];
+            if value.abs() <= ROUND_OFF * canceled {
+                *value = 0.0;
+            }
+        }
+    }
+    let fixed = StateSpace { a: own, b: left.product(b), c: c.product(&right), d: none };
+
+    // The rest: what the left vectors do not see, told by the states that they see least.
+    let seen = pivots(&left.transposed());
+    let others: Vec<usize> = (0..states).filter(|state| !seen.contains(state)).collect();
+    let transposed = left.transposed();
+    let shares = transposed.rows_of(&seen).transposed().solve(&transposed.rows_of(&others).transposed());
+    let mut basis = Dense::zeros(states, others.len());
+    for (column, state) in others.iter().enumerate() {
+        basis.column_mut(column)[*state] = 1.0;
+        for (row, dependent) in seen.iter().enumerate() {
+            basis.column_mut(column)[*dependent] = -shares.at(row, column);
+        }
+    }
+    let mut moved = b.clone();
+    let common = right.product(&fixed.b);
+    moved.values.iter_mut().zip(&common.values).for_each(|(own, common)| *own -= common);
+    let rest = StateSpace {
+        a: a.rows_of(&others).product(&basis),
+        b: moved.rows_of(&others),
+        c: c.product(&basis),
+        d: d.clone(),
+    };
+    Ok((fixed, held.into_iter().map(Origin::State).collect(), rest))
+}
+
+/// The rows that tell the columns of `matrix` best, ascending.
+fn pivots(matrix: &Dense) -> Vec<usize> {
+    let mut rows = PivotedQr::new(matrix.transposed(), 0.0).order[..matrix.columns].to_vec();
+    rows.sort_unstable();
+    rows
+}
+
+/// Frequencies at which responses are compared, rad/s.
+fn grid(poles: &[Complex]) -> Vec<f64> {
+    let sizes = || poles.iter().map(|pole| f64::hypot(pole[0], pole[1]));
+    let (least, largest) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(0.0, f64::max));
+    if largest == 0.0 {
+        return vec![0.0];
+    }
+    let [from, to] = [(least / BEYOND).ln(), (largest * BEYOND).ln()];
+    let mut grid: Vec<f64> =
+        (0..GRID).map(|number| (from + (to - from) * number as f64 / (GRID - 1) as f64).exp()).collect();
+    grid.push(0.0);
+    grid.extend(poles.iter().map(|pole| pole[1]).filter(|swing| *swing > 0.0));
+    grid
+}
+
+/// The largest responses of outputs, and then of inputs in these: what both are measured in.
+fn units(modes: &Modes, d: &Dense, kinds: &[usize], grid: &[f64]) -> [Vec<f64>; 2] {
+    let mut largest = Dense::zeros(d.rows, d.columns);
+    for omega in grid {
+        let response = plus(&modes.response(*omega, d.values.len()), d);
+        let sizes = response.iter().map(|value| f64::hypot(value[0], value[1]));
+        largest.values.iter_mut().zip(sizes).for_each(|(largest, size)| *largest = largest.max(size));
+    }
+    let or_one = |value: f64| if value > 0.0 { value } else { 1.0 };
+    let own = |row: usize| (0..d.columns).map(|column| largest.at(row, column)).fold(0.0, f64::max);
+    let outputs: Vec<f64> = (0..d.rows)
+        .map(|row| {
+            let alike = (0..d.rows).filter(|other| kinds[*other] == kinds[row]).map(own).fold(0.0, f64::max);
+            or_one(if own(row) < SILENT * alike { alike } else { own(row) })
+        })
+        .collect();
+    let inputs = (0..d.columns).map(|column| {
+        let own = largest.column(column).iter().zip(&outputs).map(|(value, unit)| value / unit);
+        1.0 / or_one(own.fold(0.0, f64::max))
+    });
+    let inputs = inputs.collect();
+    [outputs, inputs]
+}
+
+fn scaled(d: &Dense, [outputs, inputs]: &[Vec<f64>; 2]) -> Dense {
+    let mut own = d.clone();
+    for (column, unit) in inputs.iter().enumerate() {
+        own.column_mut(column).iter_mut().zip(outputs).for_each(|(value, output)| *value *= unit / output);
+    }
+    own
+}
+
+fn plus(response: &[Complex], d: &Dense) -> Vec<Complex> {
+    response.iter().zip(&d.values).map(|(value, d)| [value[0] + d, value[1]]).collect()
+}
+
+/// Balanced truncation: `A`, `B`, `C`, the bound, and the error that responses show.
+fn balance(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> Result<([Dense; 3], f64, f64), Refusal> {
+    let count = modes.poles.len();
+    let partners: Vec<usize> = (0..count).map(|number| modes.partner(number)).collect();
+    let conjugate = |values: &[Complex]| values.iter().map(|value| [value[0], -value[1]]).collect::<Vec<_>>();
+    let reachable = real(&factor(&modes.poles, &modes.moved), &modes.poles, &partners);
+    let seen: Vec<Vec<Complex>> = modes.seen.iter().map(|own| conjugate(own)).collect();
+    let observable = real(&factor(&conjugate(&modes.poles), &seen), &modes.poles, &partners);
+    if reachable.columns == 0 || observable.columns == 0 {
+        return Ok((modes.real(&[]), 0.0, 0.0));
+    }
+    let (u, singular, v) = observable.transposed().product(&reachable).singular()?;
+    // Sums from the end on: of each order the bound.
+    let mut bounds = vec![0.0; singular.len() + 1];
+    (0..singular.len()).rev().for_each(|order| bounds[order] = bounds[order + 1] + 2.0 * singular[order] / peak);
+    let most = singular.iter().filter(|own| **own > f64::EPSILON * singular[0]).count();
+    let order = match size {
+        Size::Order(order) => (order - kept).min(most),
+        Size::Error(error) => bounds.iter().position(|bound| *bound <= error).unwrap_or(most).min(most),
+    };
+    let (mut right, mut left) = (Dense::zeros(count, order), Dense::zeros(count, order));
+    for (own, singular) in singular.iter().enumerate().take(order) {
+        let root = singular.sqrt();
+        let parts = [(&mut right, reachable.times(v.column(own))), (&mut left, observable.times(u.column(own)))];
+        for (target, values) in parts {
+            target.column_mut(own).iter_mut().zip(values).for_each(|(target, value)| *target = value / root);
+        }
+    }
+    let left = left.transposed();
+    let [a, b, c] = modes.real(&(0..count).collect::<Vec<_>>());
+    let reduced = [left.product(&a).product(&right), left.product(&b), c.product(&right)];
+    let own = reduced[0].eigensystem()?;
+    let own = Modes::new(&own.iter().collect::<Vec<_>>(), &reduced[1], &reduced[2]);
+    let outputs = reduced[2].rows;
+    let numbers = outputs * reduced[1].columns;
+    let errors = grid.iter().map(|omega| {
+        let [whole, small] = [modes, &own].map(|modes| modes.response(*omega, numbers));
+        let lack: Vec<Complex> = whole.iter().zip(small).map(|(a, b)| [a[0] - b[0], a[1] - b[1]]).collect();
+        norm(&lack, outputs)
+    });
+    let error = errors.fold(0.0, f64::max) / peak;
+    Ok((reduced, bounds[order], error))
+}
+
+/// The modes with the largest peaks, the error that responses show, and the static responses of the others.
+fn choose(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> (Vec<usize>, f64, Dense) {
+    let [outputs, inputs] = [&modes.seen, &modes.moved].map(|lists| lists.first().map_or(0, Vec::len));
+    let length = |vector: &[Complex]| vector.iter().flatten().map(|part| part * part).sum::<f64>().sqrt();
+    let height = |own: &usize| length(&modes.seen[*own]) * length(&modes.moved[*own]) / -modes.poles[*own][0];
+    let mut order: Vec<usize> = (0..modes.poles.len()).filter(|own| modes.poles[*own][1] >= 0.0).collect();
+    order.sort_by(|a, b| height(b).total_cmp(&height(a)));
+    let whole = |own: usize| if modes.partner(own) == own { vec![own] } else { vec![own, modes.partner(own)] };
+    // The lacks with all modes left out.
+    let mut lacks = vec![vec![[0.0; 2]; outputs * inputs]; grid.len()];
+    let add = |lacks: &mut Vec<Vec<Complex>>, own: usize, sign: f64| {
+        for number in whole(own) {
+            for (omega, lack) in grid.iter().zip(lacks.iter_mut()) {
+                let mut part = vec![[0.0; 2]; lack.len()];
+                modes.add(number, *omega, true, &mut part);
+                lack.iter_mut()
+                    .zip(part)
+                    .for_each(|(own, part)| *own = [own[0] + sign * part[0], own[1] + sign * part[1]]);
+            }
+        }
+    };
+    let error = |lacks: &[Vec<Complex>]| lacks.iter().map(|own| norm(own, outputs)).fold(0.0, f64::max) / peak;
+    order.iter().for_each(|own| add(&mut lacks, *own, 1.0));
+    let (mut chosen, mut found) = (Vec::new(), error(&lacks));
+    for own in &order {
+        let is_enough = match size {
+            Size::Order(order) => kept + chosen.len() + whole(*own).len() > order,
+            Size::Error(wanted) => found <= wanted,
+        };
+        if is_enough {
+            break;
+        }
+        chosen.extend(whole(*own));
+        add(&mut lacks, *own, -1.0);
+        found = error(&lacks);
+    }
+    let mut correction = Dense::zeros(outputs, inputs);
+    for number in (0..modes.poles.len()).filter(|number| !chosen.contains(number)) {
+        let fixed = over([-1.0, 0.0], modes.poles[number]);
+        for (input, moved) in modes.moved[number].iter().enumerate() {
+            for (output, seen) in modes.seen[number].iter().enumerate() {
+                correction.column_mut(input)[output] += times(times(*seen, *moved), fixed)[0];
+            }
+        }
+    }
+    (chosen, found, correction)
+}
+
+/// The system of independent parts, `A`, `B`, `C` each.
+fn together(parts: &[[Dense; 3]], d: Dense) -> StateSpace {
+    let states = parts.iter().map(|[a, _, _]| a.rows).sum();
+    let [mut a, mut b, mut c] =
+        [Dense::zeros(states, states), Dense::zeros(states, d.columns), Dense::zeros(d.rows, states)];
+    let mut first = 0;
+    for [own_a, own_b, own_c] in parts {
+        let count = own_a.rows;
+        for column in 0..count {
+            a.column_mut(first + column)[first..first + count].copy_from_slice(own_a.column(column));
+            c.column_mut(first + column).copy_from_slice(own_c.column(column));
+        }
+        for column in 0..d.columns {
+            b.column_mut(column)[first..first + count].copy_from_slice(own_b.column(column));
+        }
+        first += count;
+    }
+    StateSpace { a, b, c, d }
+}

@@ -1,0 +1,248 @@
+//! Relative equilibria of mechanisms that turn steadily, and the poles about them: of rotating cantilevers against
+//! Wright's table, of an overhung rotor, without and with internal damping, against the closed form. Without the terms
+//! of the frame that turns, flapping blades have a false damping, and directors among the states would shift torsion
+//! by the speed. A mechanism whose motion is periodic must be refused.
+
+use ancf14::model::campbell::{Campbell, Excitation, Sweep, Whirl};
+use ancf14::model::linear::{Linear, Pole};
+use ancf14::model::simulation::Simulation;
+use ancf14::model::steady::{Frame, Spin};
+use ancf14_testing::curves::load;
+use nalgebra::{Complex, Matrix4};
+use std::f64::consts::PI;
+
+const YOUNG: f64 = 2.1e11;
+const DENSITY: f64 = 7850.0;
+/// Height of the blade, m: `EA L²/EI = 12 (L/h)²` is 1e9, so that the tension does not lengthen it.
+const HEIGHT: f64 = 1.095_445_115_010_332_2e-4;
+
+/// So narrow that the inertia about its axis, a share of `(b/L)²` of the flapping, is not seen.
+const BLADE: &str = r#"format = 1
+model = { name = "Blade", gravity = [0, 0, 0] }
+material.steel = { young = 2.1e11, poisson = 0.3, density = 7850 }
+section.strip = { shape = "rectangle", width = 1e-3, height = 1.0954451150103322e-4 }
+beam.blade = { material = "steel", section = "strip", from = [0, 0, 0], to = [1, 0, 0], elements = 16, rotary_inertia = false }
+joint.hub = { type = "revolute", a = "ground", b = "blade.start", axis = [0, 0, 1] }
+drive.motor = { joint = "hub", coordinate = "angle", value = 0 }
+simulation = { stop = 1, step = 1e-3 }
+"#;
+
+/// An overhung rotor on a shaft without mass.
+const ROTOR: &str = r#"format = 1
+model = { name = "Overhung", gravity = [0, 0, 0] }
+material.light = { young = 2.1e11, poisson = 0.3, density = 1e-3 }
+section.rod = { shape = "circle", radius = 0.01 }
+beam.shaft = { material = "light", section = "rod", from = [0, 0, 0], to = [0.5, 0, 0], elements = 4 }
+body.disk = { mass = 5, position = [0.5, 0, 0], inertia = [0.04, 0.022, 0.022] }
+joint.bearing = { type = "revolute", a = "ground", b = "shaft.start", axis = [1, 0, 0] }
+joint.hub = { type = "weld", a = "shaft.end", b = "disk" }
+drive.motor = { joint = "bearing", coordinate = "angle", value = 0 }
+simulation = { stop = 1, step = 1e-3 }
+"#;
+/// Mass, polar and diametral inertia of the disk, length of the shaft.
+const DISK: [f64; 4] = [5.0, 0.04, 0.022, 0.5];
+
+fn steady(model: &Simulation, speed: f64) -> Result<Linear, String> {
+    let spin = Spin { drive: String::from("motor"), speed, is_weightless: false };
+    model.linearize_steady(&spin, Some(&[]), None).map_err(|failure| failure.message)
+}
+
+fn frame(found: &Linear) -> Frame {
+    found.steady.as_ref().expect("it is about a rotation").frame
+}
+
+/// The pole nearest to `exact` or to its conjugate, and the relative error.
+fn nearest(poles: &[Pole], exact: Complex<f64>) -> (Complex<f64>, f64) {
+    let exact = Complex::new(exact.re, exact.im.abs());
+    let values = poles.iter().map(|pole| Complex::new(pole.value[0], pole.value[1]));
+    let found = values.min_by(|a, b| (a - exact).norm().total_cmp(&(b - exact).norm())).unwrap();
+    (found, (found - exact).norm() / exact.norm())
+}
+
+/// The four poles of the overhung rotor in the fixed frame, with the damping `c` (s) of the shaft, which turns:
+/// `M z'' + (c K − i Ω Jp) z' + (1 − i Ω c) K z = 0` of the complex deflection and slope; forward whirl has a positive
+/// imaginary part.
+fn whirls(speed: f64, damping: f64) -> Vec<Complex<f64>> {
+    let [mass, polar, diametral, length] = DISK;
+    let rigidity = YOUNG * PI * 0.01_f64.powi(4) / 4.0;
+    let [k11, k12, k22] = [12.0 / length, -6.0, 4.0 * length].map(|factor| factor * rigidity / (length * length));
+    let (stiffness, inertia) = ([[k11, k12], [k12, k22]], [mass, diametral]);
+    let turned = Complex::new(1.0, -speed * damping);
+    let matrix = Matrix4::from_fn(|row, column| {
+        let (line, own) = (row % 2, column % 2);
+        match (row < 2, column < 2) {
+            (true, false) if line == own => Complex::from(1.0),
+            (true, _) => Complex::from(0.0),
+            (false, true) => -turned * stiffness[line][own] / inertia[line],
+            (false, false) => {
+                let gyroscopic = if line == 1 && own == 1 { speed * polar } else { 0.0 };
+                Complex::new(-damping * stiffness[line][own], gyroscopic) / inertia[line]
+            }
+        }
+    });
+    matrix.schur().unpack().1.diagonal().iter().copied().collect()
+}
+
+/// Sixteen elements leave 1e-7 at rest and 1e-5 at the largest speed. Wright, Smith, Thresher and Wang, Vibration modes of centrifugally stiffened beams, J. Appl. Mech. 49 (1982): the
+/// first flapping frequency over `√(EI/ρA L⁴)`, exact to five digits after the point at `η = 3`. The last digit of the
+/// others is 1e-4. Round-off of the stiff axial modes, 1e11 times as stiff, leaves 1e-11 of damping.
+#[test]
+fn flapping_of_a_rotating_cantilever_meets_the_table() {
+    let model = load(BLADE, &[]);
+    let unit = (YOUNG * HEIGHT * HEIGHT / 12.0 / DENSITY).sqrt();
+    for (eta, table, bound) in [(0.0, 3.5160, 1e-5), (3.0, 4.79728, 1e-5), (6.0, 7.3604, 1e-5), (12.0, 13.1702, 2e-5)] {
+        let found = steady(&model, eta * unit).unwrap();
+        let (pole, error) = nearest(&found.poles(&model).unwrap(), Complex::new(0.0, table * unit));
+        println!("eta {eta}: {:.6}, error {error:.1e}, damping {:.1e}", pole.im / unit, pole.re / pole.im);
+        assert!(error < bound && (pole.re / pole.im).abs() < 1e-10, "eta {eta}: {:.6} {error:.1e}", pole.im / unit);
+        assert!(eta == 0.0 || frame(&found) == Frame::Turning);
+    }
+}
+
+/// Round-off of the stiff modes of the shaft leaves 1e-8. At 1500 rad/s the rotor has a frequency below the speed.
+#[test]
+fn whirl_of_an_overhung_rotor_meets_the_closed_form() {
+    let model = load(ROTOR, &[]);
+    for speed in [0.0, 100.0, 500.0, 1500.0] {
+        let found = steady(&model, speed).unwrap();
+        assert_eq!(frame(&found), Frame::Fixed);
+        let poles = found.poles(&model).unwrap();
+        for exact in whirls(speed, 0.0) {
+            let (pole, error) = nearest(&poles, exact);
+            println!("{speed} rad/s: {:.4}, error {error:.1e}", exact.im);
+            assert!(error < 1e-7 && (pole.re / pole.im).abs() < 1e-8, "{speed}: {exact} {pole} {error:.1e}");
+        }
+    }
+}
+
+/// Damping of the shaft turns with it: above the critical speed the forward whirl grows.
+#[test]
+fn internal_damping_makes_forward_whirl_grow() {
+    let model = load(&ROTOR.replace("density = 1e-3", "density = 1e-3, damping = 2e-5"), &[]);
+    for (speed, grows) in [(50.0, None), (150.0, Some(0.0502)), (400.0, Some(0.2633))] {
+        let poles = steady(&model, speed).unwrap().poles(&model).unwrap();
+        let exact = whirls(speed, 2e-5);
+        let largest = exact.iter().map(|own| own.re).fold(f64::MIN, f64::max);
+        match grows {
+            Some(rate) => assert!((largest - rate).abs() < 1e-4, "{speed}: {largest}"),
+            None => assert!(largest < 0.0, "{speed}: {largest}"),
+        }
+        for exact in exact {
+            let (pole, error) = nearest(&poles, exact);
+            println!("{speed} rad/s: {exact:.4}, error {error:.1e}");
+            assert!(error < 1e-6 && (pole.re - exact.re).abs() < 1e-6 * exact.norm(), "{exact} {pole}");
+            assert_eq!(pole.re > 0.0, exact.re > 0.0, "{exact} {pole}");
+        }
+    }
+}
+
+/// A mass on a spring that turns about an axis across it: the spring is stretched by `m Ω² l/(k − m Ω²)`.
+#[test]
+fn a_mass_on_a_spring_moves_outwards() {
+    const MASS: &str = r#"format = 1
+model = { name = "Governor", gravity = [0, 0, -9.81] }
+body.arm = { mass = 1, position = [0, 0, 0], inertia = [0.01, 0.01, 0.01] }
+body.mass = { mass = 2, position = [0.3, 0, 0], inertia = [0.001, 0.001, 0.001] }
+joint.shaft = { type = "revolute", a = "ground", b = "arm", at = [0, 0, 0], axis = [0, 0, 1] }
+joint.slide = { type = "prismatic", a = "arm", b = "mass", at = [0.3, 0, 0], axis = [1, 0, 0], stiffness = 1000 }
+drive.motor = { joint = "shaft", coordinate = "angle", value = 0 }
+output.mass = { at = "slide", quantities = ["distance"] }
+simulation = { stop = 1, step = 1e-3 }
+"#;
+    let model = load(MASS, &[]);
+    let found = steady(&model, 15.0).unwrap();
+    let exact = 2.0 * 225.0 * 0.3 / (1000.0 - 2.0 * 225.0);
+    assert!((found.outputs[0].value - exact).abs() < 1e-10, "{} {exact}", found.outputs[0].value);
+    let (_, error) = nearest(&found.poles(&model).unwrap(), Complex::new(0.0, ((1000.0 - 450.0) / 2.0_f64).sqrt()));
+    assert!(error < 1e-10, "{error:.1e}");
+}
+
+/// Gravity across the axis, and a blade in a support that is not round, are periodic; a drive of a distance turns
+/// nothing.
+#[test]
+fn periodic_motions_are_refused() {
+    let model = load(&BLADE.replace("gravity = [0, 0, 0]", "gravity = [0, -9.81, 0]"), &[]);
+    let message = steady(&model, 1.0).unwrap_err();
+    assert!(message.contains("gravity is not along the axis") && message.contains("--without-gravity"), "{message}");
+    let spin = Spin { drive: String::from("motor"), speed: 1.0, is_weightless: true };
+    assert!(model.linearize_steady(&spin, Some(&[]), Some(&[])).is_ok());
+
+    let flat = ROTOR.replace("shape = \"circle\", radius = 0.01", "shape = \"rectangle\", width = 0.02, height = 0.01");
+    let sliding = flat.replace(
+        "joint.bearing",
+        "body.house = { mass = 1, position = [0, 0, 0], inertia = [1, 1, 1] }\n\
+         joint.guide = { type = \"prismatic\", a = \"ground\", b = \"house\", axis = [0, 1, 0], stiffness = 1e5 }\n\
+         joint.bearing",
+    );
+    let sliding = sliding.replace("a = \"ground\", b = \"shaft.start\"", "a = \"house\", b = \"shaft.start\"");
+    let message = steady(&load(&sliding, &[]), 50.0).unwrap_err();
+    assert!(message.contains("is periodic, not steady") && message.contains("37 degrees"), "{message}");
+    // Each alone is steady, in a frame of its own.
+    assert_eq!(frame(&steady(&load(&flat, &[]), 50.0).unwrap()), Frame::Turning);
+    let round =
+        sliding.replace("shape = \"rectangle\", width = 0.02, height = 0.01", "shape = \"circle\", radius = 0.01");
+    assert_eq!(frame(&steady(&load(&round, &[]), 50.0).unwrap()), Frame::Fixed);
+}
+
+fn campbell(model: &Simulation, speeds: Vec<f64>, count: usize) -> Campbell {
+    let sweep = Sweep { drive: String::from("motor"), speeds, is_weightless: false, count };
+    model.campbell(&sweep).unwrap_or_else(|failure| panic!("{}", failure.message))
+}
+
+/// The overhung rotor from rest to 1500 rad/s: the modes are followed through all crossings with the closed form of
+/// their own whirl; critical speeds and the limit of stability meet it. Damping that turns with the shaft does nothing
+/// where the whirl has its speed, so that forward whirl grows from its critical speed on.
+#[test]
+fn modes_of_an_overhung_rotor_are_followed() {
+    let model = load(&ROTOR.replace("density = 1e-3", "density = 1e-3, damping = 2e-5"), &[]);
+    let speeds: Vec<f64> = (0..=15).map(|number| 100.0 * f64::from(number)).collect();
+    let found = campbell(&model, speeds.clone(), 5);
+    assert_eq!((found.frame, found.uncertain), (Frame::Fixed, 0));
+    let mut whirling = 0;
+    for points in &found.modes {
+        if points[1].whirl == Whirl::None {
+            continue;
+        }
+        whirling += 1;
+        assert!(points.iter().skip(1).all(|point| point.whirl == points[1].whirl), "{points:?}");
+        for (speed, point) in speeds.iter().zip(points) {
+            let sign = if points[1].whirl == Whirl::Forward { 1.0 } else { -1.0 };
+            let own = Complex::new(point.value[0], sign * point.value[1]);
+            let exact = whirls(*speed, 2e-5);
+            let error = exact.iter().map(|exact| (exact - own).norm() / exact.norm()).fold(f64::INFINITY, f64::min);
+            assert!(error < 1e-6, "{speed} rad/s: {own} {error:.1e}");
+        }
+        // The same mode at neighboring speeds: frequencies go on smoothly.
+        let second = |k: usize| points[k - 1].value[1] - 2.0 * points[k].value[1] + points[k + 1].value[1];
+        assert!((1..points.len() - 1).all(|k| second(k).abs() < 60.0), "{points:?}");
+    }
+    assert_eq!(whirling, 4);
+
+    // Where a frequency is the speed: (k11 − m Ω²)(k22 − Jd Ω² ± Jp Ω²) = k12², one forward, as Jp > Jd, two backward.
+    let crossings = |polar: f64| {
+        let [mass, _, diametral, length] = DISK;
+        let rigidity = YOUNG * PI * 0.01_f64.powi(4) / 4.0;
+        let [k11, k12, k22] = [12.0 / length, -6.0, 4.0 * length].map(|factor| factor * rigidity / (length * length));
+        let (a, b, c) = (mass * (diametral - polar), -(mass * k22 + (diametral - polar) * k11), k11 * k22 - k12 * k12);
+        let root = (b * b - 4.0 * a * c).sqrt();
+        [(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)].into_iter().filter(|own| *own > 0.0).map(f64::sqrt)
+    };
+    let forward = crossings(DISK[1]).next().unwrap();
+    let limit = found.stability_limit.unwrap();
+    println!("limit {limit:.5}, error {:.1e}", limit / forward - 1.0);
+    // The growth rises by 1e-3 1/s per rad/s, and has the round-off of the stiff modes, 1e-8 of the pole.
+    assert!((limit / forward - 1.0).abs() < 2e-5, "{limit} {forward}");
+
+    let found = campbell(&load(ROTOR, &[]), speeds, 5);
+    let critical: Vec<_> = found.critical.iter().filter(|own| own.whirl != Whirl::None).collect();
+    let mut exact: Vec<(f64, Whirl)> = crossings(DISK[1]).map(|own| (own, Whirl::Forward)).collect();
+    exact.extend(crossings(-DISK[1]).map(|own| (own, Whirl::Backward)));
+    exact.sort_by(|a, b| a.0.total_cmp(&b.0));
+    assert_eq!(critical.len(), exact.len(), "{critical:?} {exact:?}");
+    for (own, (speed, whirl)) in critical.iter().zip(exact) {
+        println!("critical {:.5}, error {:.1e}", own.speed, own.speed / speed - 1.0);
+        assert!((own.speed / speed - 1.0).abs() < 1e-6 && own.whirl == whirl, "{own:?} {speed}");
+        assert_eq!(own.excitation, Excitation::Once);
+    }
+    assert_eq!(found.stability_limit, None);
+}
