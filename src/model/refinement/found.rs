@@ -94,12 +94,12 @@ impl Found {
         self.inserted(document.text(), |beam| document.beams[beam].place)
     }
 
-    fn inserted(&self, text: &str, place: impl Fn(usize) -> Place) -> Result<String, String> {
+    fn inserted(&self, text: &str, header_of: impl Fn(usize) -> Place) -> Result<String, String> {
         let mut sections: BTreeMap<usize, Mesh> = BTreeMap::new();
         for mesh in &self.meshes {
-            let place = place(mesh.beam);
-            let start = text.get(..place.start).map_or(0, |before| before.rfind('\n').map_or(0, |at| at + 1));
-            let is_section = place.source == 0 && text[start..].trim_start().starts_with('[');
+            let header = header_of(mesh.beam);
+            let start = text.get(..header.start).map_or(0, |before| before.rfind('\n').map_or(0, |at| at + 1));
+            let is_section = header.source == 0 && text[start..].trim_start().starts_with('[');
             if !is_section {
                 let Mesh { name, elements, .. } = mesh;
                 let section = format!("beam {name} has no section of its own in this file");
@@ -188,11 +188,11 @@ mod tests {
         let mesh =
             |beam, name: &str, elements, is_quadratic| Mesh { beam, name: name.to_owned(), elements, is_quadratic };
         let meshes = vec![mesh(0, "arm_1", 8, true), mesh(1, "arm_2", 12, true), mesh(2, "tip", 9, false)];
-        let place = |beam: usize| {
+        let header_of = |beam: usize| {
             let start = TEXT.find(if beam == 2 { "tip]" } else { "arm]" }).unwrap();
             Place { source: 0, start, end: start + 3 }
         };
-        Found { meshes, steps: Some(steps) }.inserted(TEXT, place).unwrap()
+        Found { meshes, steps: Some(steps) }.inserted(TEXT, header_of).unwrap()
     }
 
     /// Numbers go below the headers, copies get the largest, and remarks and layout stay.

@@ -103,7 +103,7 @@ pub struct Refinement {
     /// Rows of the run before, and of the one that goes on.
     rows: [Vec<f64>; 2],
     differences: Differences,
-    /// Of paths by arc length: what takes the place of the rows of the run before.
+    /// The comparison of paths by arc length, instead of one with the rows of the run before.
     nearest: Option<Nearest>,
     /// Differences of the last two pairs of runs, not divided.
     distances: Vec<Inexact>,

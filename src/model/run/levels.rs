@@ -201,13 +201,13 @@ impl OtherMesh {
 /// Overrides for `finer` times the elements of the beams that are `chosen`, or the fewest beyond that with which joints
 /// and forces find their nodes, but twice as many at most; none where a beam has no such mesh.
 pub fn finer(document: &Document, chosen: &[bool], finer: f64) -> Option<Vec<Override>> {
-    mesh(document, |place, own| {
-        if chosen.get(place) != Some(&true) {
+    mesh(document, |number, own| {
+        if chosen.get(number) != Some(&true) {
             return Some(own);
         }
-        let beam = &document.beams[place];
-        let pushed = at_nodes(document, place, own, document.anchors_of_forces());
-        let held: Vec<f64> = held_places(document, place, own).into_iter().chain(pushed).collect();
+        let beam = &document.beams[number];
+        let pushed = at_nodes(document, number, own, document.anchors_of_forces());
+        let held: Vec<f64> = held_places(document, number, own).into_iter().chain(pushed).collect();
         let fits = |count: &usize| held.iter().all(|fraction| shape::fits(document, beam, *count, *fraction));
         let least = (finer * own as f64).ceil() as usize;
         Some((least..2 * own).find(fits).unwrap_or(2 * own))
@@ -223,12 +223,12 @@ fn held_places(document: &Document, beam: usize, elements: usize) -> Vec<f64> {
 /// Those of the fractions of a beam of `elements` elements that `anchors` name where it has nodes between its ends.
 fn at_nodes(document: &Document, beam: usize, elements: usize, anchors: impl Iterator<Item = Anchor>) -> Vec<f64> {
     let Some(division) = shape::division(document, &document.beams[beam], elements) else { return Vec::new() };
-    let places = anchors.filter_map(|anchor| match anchor.spot {
+    let fractions = anchors.filter_map(|anchor| match anchor.spot {
         Spot::Beam { beam: own, along: Along::Node(node) } if own == beam => division.fraction(node),
         Spot::Beam { beam: own, along: Along::Fraction(fraction) } if own == beam => Some(document.value(fraction)),
         _ => None,
     });
-    places.filter(|fraction| division.end_at(*fraction).is_some()).collect()
+    fractions.filter(|fraction| division.end_at(*fraction).is_some()).collect()
 }
 
 /// `document`, which was read with `overrides`, with `changes`, and with the parameters that a host has set; none where

@@ -49,7 +49,7 @@ fn divided_steps_become_an_accuracy() {
         [simulation]\nstop = 5\noutput_step = 0.25\naccuracy = 0.03 # coarse\n";
     fs::write(path.join("m.toml"), mount).unwrap();
     let output = ancf14(path, &["tune", "m.toml", "-o", "t.toml"]);
-    let told = text(&output.stdout).to_owned() + text(&output.stderr);
+    let told = text(&output.stdout).to_owned() + &text(&output.stderr);
     assert!(output.status.success() && told.contains("a run of it differs from the finest run by about 0."), "{told}");
     let tuned = fs::read_to_string(path.join("t.toml")).unwrap();
     let line = tuned.lines().last().unwrap();
