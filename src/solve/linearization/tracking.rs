@@ -61,12 +61,21 @@ impl Spectrum {
         Ok(Self { modes, kinds })
     }
 
-    /// The `count` softest vibrations: of each pair the one with the positive imaginary part.
+    /// The `count` softest vibrations: of each pair the one with the positive imaginary part. Those that have the pole
+    /// of the last one belong to them: alone it would have no vectors of its own.
     pub fn softest(&self, count: usize) -> Vec<usize> {
         let vibrates = |own: &usize| self.modes[*own].value[1] > 0.0 && self.kinds[*own] != PoleKind::Rigid;
         let mut chosen: Vec<usize> = (0..self.modes.len()).filter(vibrates).collect();
         chosen.sort_by(|a, b| self.modes[*a].size().total_cmp(&self.modes[*b].size()));
-        chosen.truncate(count);
+        let is_within = |(number, own): (usize, &usize)| {
+            let poles = [self.modes[*own].value, self.modes[chosen[count - 1]].value];
+            let distance = f64::hypot(poles[0][0] - poles[1][0], poles[0][1] - poles[1][1]);
+            number < count || distance <= SAME * self.modes[*own].size()
+        };
+        if (1..chosen.len()).contains(&count) {
+            let kept = chosen.iter().enumerate().take_while(|own| is_within(*own)).count();
+            chosen.truncate(kept);
+        }
         chosen
     }
 
