@@ -71,7 +71,7 @@ fn units_have_the_elements_that_were_found() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path();
     fs::write(path.join("m.toml"), ROD).unwrap();
-    fs::write(path.join("library.so"), "").unwrap();
+    fs::write(path.join("library.so"), b"\x7fELF\x02\x01 and so on\x03\x00\x3e\x00").unwrap();
     let pack = ["pack", "m.toml", "-o", "m.fmu", "--library", "library.so"];
     let told = done(path, &pack);
     assert!(told.contains("found with the model's own loads and drives: arm.elements = 8 (1 run, "), "{told}");
