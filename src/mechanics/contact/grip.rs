@@ -65,9 +65,9 @@ impl Pressing {
         own.squares_by_position += touch.by_position * (2.0 * density);
     }
 
-    /// The length that the force is spread over, m, and its derivative with respect to `y'`: the whole length of a force
-    /// that is the same everywhere. Where the force is small, it does not count: the length changes without a jump
-    /// while parts of the element lift off.
+    /// The length that the force is spread over, m, and its derivative with respect to `y'`: the whole length of a
+    /// force that is the same everywhere. Where the force is small, it does not count: the length changes without a
+    /// jump while parts of the element lift off.
     fn length(&self) -> (f64, Vec3) {
         let share = self.force / self.squares;
         (self.force * share, (self.by_position * 2.0 - self.squares_by_position * share) * share)

@@ -84,9 +84,9 @@ impl Contact {
         let Lying { vectors: [start, slope, end, last_slope], length } = Lying::of(element, c);
         let (point, axes) = self.seat();
         let into = axes.transpose() * carrier.axes.transpose();
-        let place = axes.tr_mul(&point);
+        let seat = axes.tr_mul(&point);
         // Slopes have no position.
-        let [start, end] = [start, end].map(|vector| into * (vector - carrier.place) - place);
+        let [start, end] = [start, end].map(|vector| into * (vector - carrier.place) - seat);
         Lying { vectors: [start, into * slope, end, into * last_slope], length }
     }
 

@@ -222,9 +222,9 @@ mod tests {
         let slope =
             |xi: f64| ((xi - middle) * (1.0 + 0.5 * xi) * 2.0 + (xi - middle) * (xi - middle) * 0.5) * curvature;
         let sums = |top: f64| {
-            let place = |xi: f64| Vec3::new(top - fall(xi), xi, 0.0);
+            let position = |xi: f64| Vec3::new(top - fall(xi), xi, 0.0);
             let along = |xi: f64| Vec3::new(-slope(xi), 1.0, 0.0);
-            let own = Lying { vectors: [place(0.0), along(0.0), place(1.0), along(1.0)], length: 1.0 };
+            let own = Lying { vectors: [position(0.0), along(0.0), position(1.0), along(1.0)], length: 1.0 };
             let (mut force, mut squares, mut length) = (0.0, 0.0, 0.0);
             each_point(&Shape::Plane, 0.0, [&own, &own], |_, xi, share| {
                 let pressure = -own.point(xi).x;
