@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "an unmet expectation is a failed test")]
 
 pub mod blades;
+pub mod capstan;
 pub mod curves;
 pub mod golden;
 pub mod integrate;

@@ -98,7 +98,7 @@ pub struct Refinement {
     is_motion: bool,
     /// Whether the program chooses the steps.
     chooses_steps: bool,
-    /// For each beam whether the program chooses its elements.
+    /// Whether the program chooses the elements of each beam.
     chosen: Vec<bool>,
     /// Rows of the run before, and of the one that goes on.
     rows: [Vec<f64>; 2],
@@ -107,9 +107,9 @@ pub struct Refinement {
     nearest: Option<Nearest>,
     /// Differences of the last two pairs of runs, not divided.
     distances: Vec<Inexact>,
-    /// By what the steps and the meshes of the run that goes on are finer than those before.
+    /// The factors by which the steps and the meshes of the run that goes on are finer than those before.
     ratios: [f64; 2],
-    /// By what the steps of the last run that counts are finer than those of the first.
+    /// The steps of the first run over those of the last run that counts.
     divided: f64,
     /// The estimates of the first run of each family because of the steps and of the mesh, as far as they have fallen
     /// since.
@@ -234,7 +234,7 @@ impl Refinement {
         }
     }
 
-    /// By what the estimates of the first run exceed what a reader expects.
+    /// The estimates of the first run, over those that a reader expects.
     fn judge_first(&mut self, simulation: &Simulation) -> f64 {
         let [steps, mesh] = simulation.judged_errors();
         let largest = |errors: &[Inexact], excess: fn(&Inexact) -> f64| errors.iter().map(excess).fold(0.0, f64::max);
@@ -258,7 +258,7 @@ impl Refinement {
         largest(&all, Inexact::excess)
     }
 
-    /// By what the distance to the path of the finer mesh exceeds what a reader expects.
+    /// The distance to the path of the finer mesh, over the one that a reader expects.
     fn judge_path(&mut self, simulation: &Simulation) -> f64 {
         let left_out = |is_configuration: bool| {
             let order = if is_configuration { ORDER_OF_MESH } else { ORDER_OF_MESH_OF_RATES };
@@ -280,7 +280,7 @@ impl Refinement {
         own
     }
 
-    /// By what the difference to the run before exceeds what a reader expects.
+    /// The difference from the run before, over the one that a reader expects.
     fn judge_pair(&mut self, simulation: &Simulation) -> f64 {
         let distances = simulation.distances(&self.differences, |_, _| 1.0);
         let [steps, mesh] = self.ratios;

@@ -1,70 +1,19 @@
 //! Equilibria of beams that touch surfaces, against closed forms and shooting solutions.
 
 use crate::running::{run, start, value, vector};
+use ancf14_testing::capstan::{self, Pulled};
 use std::f64::consts::PI;
-
-/// A rope of `radius` around a post of 0.1 m by `angle`, with `elements` on that angle, loaded by 100 N at one end and
-/// pulled at the other until it slides. Returns the ratio of both forces.
-fn capstan(angle: f64, elements: usize, radius: f64) -> f64 {
-    let (post, tail, axial) = (0.1, 0.15, 1e5);
-    let ring = post + radius;
-    let arc = ring * angle;
-    let (sine, cosine) = angle.sin_cos();
-    let count = elements + 2 * (tail / (arc / elements as f64)).round() as usize;
-    let end = [ring * cosine - tail * sine, ring * sine + tail * cosine];
-    let along = |first: &str, second: &str, third: &str| {
-        format!("if(s < {tail}, {first}, if(s < {}, {second}, {third}))", tail + arc)
-    };
-    let x = along(
-        &format!("{ring}"),
-        &format!("{ring}*cos((s - {tail})/{ring})"),
-        &format!("{} - {sine}*(s - {})", ring * cosine, tail + arc),
-    );
-    let z = along(
-        &format!("s - {tail}"),
-        &format!("{ring}*sin((s - {tail})/{ring})"),
-        &format!("{} + {cosine}*(s - {})", ring * sine, tail + arc),
-    );
-    // Far enough that all of it slides: three times what stretches the rope, and what friction gives.
-    let most = 100.0 * (0.3 * angle).exp();
-    let pull = 3.0 * most * (arc + tail) / axial + 0.9 * most / ring / 1e7;
-    let text = format!(
-        "format = 1\n[model]\nname = \"Capstan\"\ngravity = [0, 0, 0]\n\
-         [section.s]\nshape = \"rigidities\"\nEA = {axial}\nEI_y = 1e-4\nEI_z = 1e-4\nGJ = 1e-4\nline_density = 0.1\n\
-         [beam.rope]\nsection = \"s\"\ncurve = {{ x = \"{x}\", y = \"0\", z = \"{z}\", s = [0, {}] }}\nelements = {count}\n\
-         [surface.post]\nshape = \"cylinder\"\naxis = [0, 1, 0]\nradius = {post}\n\
-         [contact.wrap]\nof = \"rope\"\nwith = \"post\"\nstiffness = 1e7\nradius = {radius}\nfriction = 0.3\n\
-         [load.low]\nat = \"rope.start\"\nforce = [0, 0, -100]\n\
-         [frame.pull]\nposition = [\"{} - {sine}*{pull}*t\", 0, \"{} + {cosine}*{pull}*t\"]\n\
-         [joint.hold]\ntype = \"spherical\"\na = \"pull\"\nb = \"rope.end\"\n\
-         [output.high]\nat = \"hold\"\nquantities = [\"reaction_force\"]\n\
-         [output.wrapped]\nat = \"wrap\"\nquantities = [\"wrap_angle\", \"sliding\"]\n\
-         [simulation]\nanalysis = \"static\"\ninitial = \"equilibrium\"\nstop = 1\nstep = 0.02\n",
-        2.0 * tail + arc,
-        end[0],
-        end[1]
-    );
-    let mut simulation = start(&text);
-    run(&mut simulation, 0.02, 1.0, |_| {});
-    assert_eq!(value(&simulation, "wrapped.sliding"), 1.0);
-    let wrapped = value(&simulation, "wrapped.wrap_angle");
-    assert!((wrapped / angle - 1.0).abs() < 0.05, "{wrapped} of {angle}");
-    vector(&simulation, "high.reaction_force").norm() / 100.0
-}
 
 /// `e^(μ φ)` to half a percent with eight elements on half a turn; a thick rope slides earlier, since its axis turns
 /// about a larger radius than the one at which friction acts.
 #[test]
 fn ropes_on_posts() {
-    for angle in [45.0, 90.0, 180.0, 270.0] {
-        let angle = angle * PI / 180.0;
-        let found = capstan(angle, ((angle / PI * 8.0).round() as usize).max(3), 0.0);
-        let exact = (0.3 * angle).exp();
-        assert!((found / exact - 1.0).abs() < 5e-3, "{angle}: {found} {exact}");
-    }
-    for (radius, exact) in [(0.005, 2.44480127587), (0.01, 2.34085955931)] {
-        let found = capstan(PI, 8, radius);
-        assert!((found / exact - 1.0).abs() < 5e-3, "{radius}: {found} {exact}");
+    let thin = [45.0, 90.0, 180.0, 270.0].map(|angle| (angle * PI / 180.0, 0.0, (0.3 * angle * PI / 180.0).exp()));
+    for (angle, radius, exact) in thin.into_iter().chain(capstan::THICK.map(|(radius, exact)| (PI, radius, exact))) {
+        let Pulled { ratio, sliding, wrapped } = capstan::pulled(angle, radius);
+        assert_eq!(sliding, 1.0);
+        assert!((wrapped / angle - 1.0).abs() < 0.05, "{wrapped} of {angle}");
+        assert!((ratio / exact - 1.0).abs() < 5e-3, "{angle}, {radius}: {ratio} {exact}");
     }
 }
 
