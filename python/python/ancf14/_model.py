@@ -344,7 +344,7 @@ class Model:
     def campbell(
         self,
         drive: str,
-        speeds: Sequence[float] | NDArray[np.float64],
+        speeds: Sequence[float] | NDArray[np.floating[Any] | np.integer[Any]],
         count: int = 8,
         parameters: Parameters | None = None,
         *,
@@ -352,11 +352,13 @@ class Model:
     ) -> Campbell:
         """Return the vibrations of the mechanism by the speed of ``drive``, rad/s, which rises from one of ``speeds`` to the next.
 
-        ``count`` is the number of modes, the softest ones of the first speed, which are followed by their vectors.
+        ``count`` is the number of modes, the softest ones of the first speed, which are followed by their vectors. Modes that have the pole of the last one are followed too.
         """
         wanted = [float(speed) for speed in speeds]
         if not wanted or any(next_one <= one for one, next_one in zip(wanted, wanted[1:])) or not np.all(np.isfinite(wanted)):
             raise CallError("speeds rise from one to the next, and there is at least one")
+        if count < 1:
+            raise CallError(f"count is at least 1, not {count}")
         simulation = self._open(self._changes(parameters))
         with raising():
             simulation.initialize()
