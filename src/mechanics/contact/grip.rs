@@ -46,8 +46,6 @@ pub struct Pressing {
     squares: f64,
     /// Derivative of the force with respect to `y'`, over a step at its end, N/m.
     by_position: Vec3,
-    /// The same of the squares, N²/m².
-    squares_by_position: Vec3,
 }
 
 /// The pressure in each cell of an element.
@@ -59,18 +57,14 @@ impl Pressing {
         let own = &mut cells[touch.cell];
         own.force += touch.pressing;
         own.moment += touch.pressing * touch.xi;
-        let density = touch.pressing / touch.length;
-        own.squares += touch.pressing * density;
+        own.squares += touch.pressing * touch.pressing / touch.length;
         own.by_position += touch.by_position;
-        own.squares_by_position += touch.by_position * (2.0 * density);
     }
 
-    /// The length that the force is spread over, m, and its derivative with respect to `y'`: the whole length of a
-    /// force that is the same everywhere. Where the force is small, it does not count: the length changes without a
-    /// jump while parts of the element lift off.
-    fn length(&self) -> (f64, Vec3) {
-        let share = self.force / self.squares;
-        (self.force * share, (self.by_position * 2.0 - self.squares_by_position * share) * share)
+    /// The length that the force is spread over, m: the whole length of a force that is the same everywhere. Where the
+    /// force is small, it does not count: the length changes without a jump while parts of the element lift off.
+    fn length(&self) -> f64 {
+        self.force * self.force / self.squares
     }
 }
 
@@ -198,23 +192,21 @@ impl Contact {
             }
             _ => (Vec3::zeros(), false),
         };
-        let (length, length_by_position) = pressing.length();
-        let (stiffness, limit) = (friction.stiffness * length, friction.coefficient * pressing.force);
+        let stiffness = friction.stiffness * pressing.length();
+        let limit = friction.coefficient * pressing.force;
         let stuck = across * before + slip;
         let (mut force, first, first_by_limit) = cut(&(stuck * stiffness), limit);
         let (displaced, slides) = (force / stiffness, force.norm() >= SLIDING * limit);
         let mut by_slip = first * across * stiffness;
-        let (mut by_limit, mut by_stiffness) = (first_by_limit, first * stuck);
+        let mut by_limit = first_by_limit;
         if let (true, Passage::Step(step)) = (is_step, passage) {
             let further = slip - rate * (0.5 * step.duration);
             let (ahead, second, second_by_limit) = cut(&(force + further * stiffness), limit);
             force = ahead;
             by_slip = second * (first + Mat3::identity()) * across * stiffness;
             by_limit = second * by_limit + second_by_limit;
-            by_stiffness = second * (by_stiffness + further);
         }
-        let by_position = by_limit * (pressing.by_position * friction.coefficient).transpose()
-            + by_stiffness * (length_by_position * friction.stiffness).transpose();
+        let by_position = by_limit * (pressing.by_position * friction.coefficient).transpose();
         let by_frame = match body {
             Some(_) => Vec3::zeros(),
             None => across * (carrier_move(&carriers, &arms) - body_turn.cross(&lever)),

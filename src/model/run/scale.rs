@@ -169,3 +169,18 @@ impl Span {
 pub fn counts_from_zero(name: &str) -> bool {
     matches!(name, "energy.kinetic" | "energy.elastic")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A wrap of 3 rad that changes by 0.1 rad is judged against 3 rad, an angle against its change.
+    #[test]
+    fn quantities_of_contact_count_from_zero() {
+        let measures = Measures { size: 1.0, duration: 1.0, energy: 1.0, gravity: 9.81, beams: Beams::default() };
+        let span = Span { range: 0.1, size: 3.0 };
+        let scales = measures.scales(&[("grip.wrap_angle", "rad", span), ("hinge.angle", "rad", span)]);
+        assert_eq!(scales, [3.0, 0.1]);
+        assert_eq!(measures.scales(&[("grip.sliding", "", Span::default())]), [0.0]);
+    }
+}

@@ -3,7 +3,7 @@
 
 use super::Singular;
 use faer::MatRef;
-use faer::linalg::solvers::DenseSolveCore;
+use faer::linalg::solvers::{DenseSolveCore, Eigen as FaerEigen};
 
 /// Sweeps of the balancing at most; a few are usual.
 const MOST_SWEEPS: usize = 100;
@@ -21,24 +21,26 @@ pub struct Dense {
     pub values: Vec<f64>,
 }
 
-/// An eigenvalue and its eigenvector, real and imaginary parts.
-pub type Eigenpair = ([f64; 2], Vec<[f64; 2]>);
+/// A complex number.
+pub type Complex = nalgebra::Complex<f64>;
+/// An eigenvalue and its eigenvector.
+pub type Eigenpair = (Complex, Vec<Complex>);
 
-/// An eigenvalue with both its vectors, real and imaginary parts.
+/// An eigenvalue with both its vectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Eigen {
     /// The eigenvalue.
-    pub value: [f64; 2],
+    pub value: Complex,
     /// The right vector.
-    pub right: Vec<[f64; 2]>,
+    pub right: Vec<Complex>,
     /// The left vector.
-    pub left: Vec<[f64; 2]>,
+    pub left: Vec<Complex>,
 }
 
 impl Eigen {
     /// `|λ|`.
     pub fn size(&self) -> f64 {
-        self.value[0].hypot(self.value[1])
+        self.value.norm()
     }
 }
 
@@ -73,13 +75,13 @@ impl Dense {
     }
 
     /// `|left|ᵀ |self| |right|`: what the form would be if nothing canceled, the measure of its round-off.
-    pub fn magnitude(&self, left: &[[f64; 2]], right: &[[f64; 2]]) -> f64 {
+    pub fn magnitude(&self, left: &[Complex], right: &[Complex]) -> f64 {
         let mut sums = vec![0.0; self.rows];
         for (number, own) in right.iter().enumerate() {
-            let size = f64::hypot(own[0], own[1]);
+            let size = own.norm();
             sums.iter_mut().zip(self.column(number)).for_each(|(sum, value)| *sum += size * value.abs());
         }
-        left.iter().zip(sums).map(|(own, sum)| f64::hypot(own[0], own[1]) * sum).sum()
+        left.iter().zip(sums).map(|(own, sum)| own.norm() * sum).sum()
     }
 
     /// Its eigenvalues with their right and left vectors: `yᵢᵀ xⱼ` is 1 for `i = j`, else 0.
@@ -87,49 +89,39 @@ impl Dense {
     /// # Errors
     /// They do not converge, a value is not finite, or there are fewer vectors than rows.
     pub fn eigensystem(&self) -> Result<Vec<Eigen>, Singular> {
-        if self.values.iter().any(|value| !value.is_finite()) {
-            return Err(Singular);
-        }
-        let mut balanced = self.clone();
-        let scales = balanced.balance();
-        let found = balanced.as_faer().eigen().map_err(|_| Singular)?;
-        let (values, right) = (found.S().column_vector(), found.U());
-        let left = right.partial_piv_lu().inverse();
+        let (found, scales) = self.balanced_eigen()?;
+        let left = found.U().partial_piv_lu().inverse();
+        let values = found.S().column_vector();
         let own = (0..self.columns).map(|number| Eigen {
-            value: [values[number].re, values[number].im],
-            right: (0..self.rows)
-                .map(|row| right[(row, number)])
-                .zip(&scales)
-                .map(|(v, s)| [v.re * s, v.im * s])
-                .collect(),
-            left: (0..self.rows)
-                .map(|row| left[(number, row)])
-                .zip(&scales)
-                .map(|(v, s)| [v.re / s, v.im / s])
-                .collect(),
+            value: values[number],
+            right: (0..self.rows).map(|row| found.U()[(row, number)] * scales[row]).collect(),
+            left: (0..self.rows).map(|row| left[(number, row)] / scales[row]).collect(),
         });
         let own: Vec<Eigen> = own.collect();
-        let is_finite = |vector: &[[f64; 2]]| vector.iter().flatten().all(|value| value.is_finite());
-        if own.iter().all(|own| is_finite(&own.left)) { Ok(own) } else { Err(Singular) }
+        let is_finite = |own: &Eigen| own.left.iter().all(|value| value.is_finite());
+        if own.iter().all(is_finite) { Ok(own) } else { Err(Singular) }
     }
 
-    /// Its eigenvalues, and of each the eigenvector, real and imaginary parts.
+    /// Its eigenvalues, and of each the eigenvector.
     ///
     /// # Errors
     /// They do not converge, or a value is not finite.
     pub fn eigenvectors(&self) -> Result<Vec<Eigenpair>, Singular> {
+        let (found, scales) = self.balanced_eigen()?;
+        let values = found.S().column_vector();
+        let vector = |number: usize| (0..self.rows).map(|row| found.U()[(row, number)] * scales[row]).collect();
+        Ok((0..self.columns).map(|number| (values[number], vector(number))).collect())
+    }
+
+    /// Eigenvalues and vectors of the balanced matrix, with the factors of [`Self::balance`].
+    fn balanced_eigen(&self) -> Result<(FaerEigen<f64>, Vec<f64>), Singular> {
         if self.values.iter().any(|value| !value.is_finite()) {
             return Err(Singular);
         }
         let mut balanced = self.clone();
         let scales = balanced.balance();
         let found = balanced.as_faer().eigen().map_err(|_| Singular)?;
-        let values = found.S().column_vector();
-        let vector = |number: usize| -> Vec<[f64; 2]> {
-            let own = found.U().col(number).iter().zip(&scales);
-            own.map(|(value, scale)| [value.re * scale, value.im * scale]).collect()
-        };
-        Ok((0..self.columns).map(|number| ([values[number].re, values[number].im], vector(number))).collect())
+        Ok((found, scales))
     }
 
     /// Makes rows and columns of a square matrix alike in size by a similarity with powers of 2, whose factors it

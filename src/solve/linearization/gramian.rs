@@ -6,31 +6,15 @@
 //! round-off, takes few steps, forms no `W`, and keeps the small singular values that a factor of a computed `W`
 //! would lose.
 
-use crate::solve::linear::dense::Dense;
-
-/// A complex number, real and imaginary part.
-pub type Complex = [f64; 2];
+use crate::solve::linear::dense::{Complex, Dense};
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// A pivot below this share of the first one is round-off: the root of it belongs to a Hankel singular value.
 const LEAST: f64 = 1e-32;
 
-/// `a b`.
-pub fn times(a: Complex, b: Complex) -> Complex {
-    [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
-}
-
-/// `a/b`.
-pub fn over(a: Complex, b: Complex) -> Complex {
-    let size = b[0] * b[0] + b[1] * b[1];
-    [(a[0] * b[0] + a[1] * b[1]) / size, (a[1] * b[0] - a[0] * b[1]) / size]
-}
-
 /// `Σ aₖ bₖ*`.
 fn product(a: &[Complex], b: &[Complex]) -> Complex {
-    a.iter().zip(b).fold([0.0; 2], |sum, (a, b)| {
-        let own = times(*a, [b[0], -b[1]]);
-        [sum[0] + own[0], sum[1] + own[1]]
-    })
+    a.iter().zip(b).map(|(a, b)| a * b.conj()).sum()
 }
 
 /// The columns of `L` with `Λ L L* + L L* Λ* = −G G*`, for the poles `poles` with negative real parts and the rows
@@ -41,7 +25,7 @@ pub fn factor(poles: &[Complex], gains: &[Vec<Complex>]) -> Vec<Vec<Complex>> {
     let mut columns: Vec<Vec<Complex>> = Vec::new();
     let mut first = 0.0;
     while columns.len() < poles.len() {
-        let square = |own: usize| -product(&gains[own], &gains[own])[0] / (2.0 * poles[own][0]);
+        let square = |own: usize| -product(&gains[own], &gains[own]).re / (2.0 * poles[own].re);
         let open = (0..poles.len()).filter(|own| is_open[*own]).map(|own| (square(own), own));
         let Some((pivot, chosen)) = open.max_by(|a, b| a.0.total_cmp(&b.0)) else { break };
         first = f64::max(first, pivot);
@@ -50,16 +34,11 @@ pub fn factor(poles: &[Complex], gains: &[Vec<Complex>]) -> Vec<Vec<Complex>> {
         }
         let root = pivot.sqrt();
         let (own, pole) = (gains[chosen].clone(), poles[chosen]);
-        let mut column = vec![[0.0; 2]; poles.len()];
+        let mut column = vec![Complex::from(0.0); poles.len()];
         for (number, gain) in gains.iter_mut().enumerate().filter(|(number, _)| is_open[*number]) {
-            let sum = [-(poles[number][0] + pole[0]), -(poles[number][1] - pole[1])];
-            let entry = over(product(gain, &own), sum);
-            column[number] = [entry[0] / root, entry[1] / root];
-            let share = [entry[0] / pivot, entry[1] / pivot];
-            for (gain, own) in gain.iter_mut().zip(&own) {
-                let part = times(share, *own);
-                *gain = [gain[0] - part[0], gain[1] - part[1]];
-            }
+            let entry = -product(gain, &own) / (poles[number] + pole.conj());
+            column[number] = entry / root;
+            gain.iter_mut().zip(&own).for_each(|(gain, own)| *gain -= entry / pivot * own);
         }
         is_open[chosen] = false;
         columns.push(column);
@@ -77,16 +56,15 @@ pub fn real(columns: &[Vec<Complex>], poles: &[Complex], partners: &[usize]) -> 
         for row in 0..rows {
             // The unitary matrix (ζ + ζ')/√2, (ζ − ζ')/(i √2).
             let (own, other) = (column[row], column[partners[row]]);
-            let root = std::f64::consts::FRAC_1_SQRT_2;
             let value = if partners[row] == row {
                 own
-            } else if poles[row][1] > 0.0 {
-                [root * (own[0] + other[0]), root * (own[1] + other[1])]
+            } else if poles[row].im > 0.0 {
+                (own + other) * FRAC_1_SQRT_2
             } else {
-                [root * (other[1] - own[1]), root * (own[0] - other[0])]
+                (own - other) * Complex::new(0.0, FRAC_1_SQRT_2)
             };
-            factor.column_mut(2 * number)[row] = value[0];
-            factor.column_mut(2 * number + 1)[row] = value[1];
+            factor.column_mut(2 * number)[row] = value.re;
+            factor.column_mut(2 * number + 1)[row] = value.im;
         }
     }
     factor
@@ -99,29 +77,22 @@ mod tests {
     /// The factor has the closed entries, of two inputs and poles of both kinds.
     #[test]
     fn factors_have_the_entries_of_the_gramian() {
-        let poles = [[-1.0, 3.0], [-1.0, -3.0], [-0.5, 0.0], [-20.0, 0.0]];
-        let gains: Vec<Vec<Complex>> = vec![
-            vec![[1.0, 0.5], [0.2, 0.0]],
-            vec![[1.0, -0.5], [0.2, 0.0]],
-            vec![[2.0, 0.0], [-1.0, 0.0]],
-            vec![[0.3, 0.0], [4.0, 0.0]],
-        ];
+        let poles = [[-1.0, 3.0], [-1.0, -3.0], [-0.5, 0.0], [-20.0, 0.0]].map(|[re, im]| Complex::new(re, im));
+        let gains =
+            [[[1.0, 0.5], [0.2, 0.0]], [[1.0, -0.5], [0.2, 0.0]], [[2.0, 0.0], [-1.0, 0.0]], [[0.3, 0.0], [4.0, 0.0]]];
+        let gains = gains.map(|own| own.map(|[re, im]| Complex::new(re, im)).to_vec());
         let columns = factor(&poles, &gains);
         for row in 0..4 {
             for column in 0..4 {
-                let sum = columns.iter().fold([0.0; 2], |sum, own| {
-                    let part = times(own[row], [own[column][0], -own[column][1]]);
-                    [sum[0] + part[0], sum[1] + part[1]]
-                });
-                let poles = [poles[row][0] + poles[column][0], poles[row][1] - poles[column][1]];
-                let exact = over(product(&gains[row], &gains[column]), [-poles[0], -poles[1]]);
-                assert!(f64::hypot(sum[0] - exact[0], sum[1] - exact[1]) < 1e-14, "{row} {column}: {sum:?} {exact:?}");
+                let found: Complex = columns.iter().map(|own| own[row] * own[column].conj()).sum();
+                let exact = -product(&gains[row], &gains[column]) / (poles[row] + poles[column].conj());
+                assert!((found - exact).norm() < 1e-14, "{row} {column}: {found} {exact}");
             }
         }
         // Both real parts, too: L Lᵀ of a pair is that of √2 Re ζ and √2 Im ζ.
         let own = real(&columns, &poles, &[1, 0, 2, 3]);
         let square: f64 = (0..own.columns).map(|column| own.at(0, column).powi(2) + own.at(1, column).powi(2)).sum();
-        let whole: f64 = columns.iter().map(|own| own[0][0].powi(2) + own[0][1].powi(2)).sum();
+        let whole: f64 = columns.iter().map(|own| own[0].norm_sqr()).sum();
         assert!((square - 2.0 * whole).abs() < 1e-14, "{square} {whole}");
     }
 }

@@ -1,15 +1,13 @@
 //! A linear system in coordinates of its modes: responses, and the real block form.
 
-use super::gramian::{Complex, over, times};
-use crate::solve::linear::dense::{Dense, Eigen};
+use crate::solve::linear::dense::{Complex, Dense, Eigen};
+use nalgebra::DMatrix;
 use std::f64::consts::SQRT_2;
 
 /// A pole whose damping ratio is below this does not fade: round-off decides whether it is stable.
 const FADES: f64 = 1e-9;
 /// Conjugate eigenvalues differ by less than this share.
 const ROUND_OFF: f64 = 1e-9;
-/// Iterations for the largest singular value of a response.
-const POWERS: usize = 40;
 
 /// A system in coordinates of its modes: `λ`, `C x`, `yᵀ B`.
 #[derive(Debug)]
@@ -25,12 +23,8 @@ pub struct Modes {
 impl Modes {
     /// Those `found` of a system with these matrices.
     pub fn new(found: &[&Eigen], b: &Dense, c: &Dense) -> Self {
-        let row = |matrix: &Dense, row: usize, vector: &[Complex]| {
-            let own = vector.iter().enumerate();
-            own.fold([0.0; 2], |sum, (column, value)| {
-                let factor = matrix.at(row, column);
-                [sum[0] + factor * value[0], sum[1] + factor * value[1]]
-            })
+        let row = |matrix: &Dense, row: usize, vector: &[Complex]| -> Complex {
+            vector.iter().enumerate().map(|(column, value)| value * matrix.at(row, column)).sum()
         };
         let transposed = b.transposed();
         Self {
@@ -48,8 +42,8 @@ impl Modes {
         for (lists, units, invert) in [(&mut self.seen, outputs, true), (&mut self.moved, inputs, false)] {
             for own in lists.iter_mut() {
                 for (value, unit) in own.iter_mut().zip(units) {
-                    let unit = if invert { 1.0 / unit } else { *unit };
-                    *value = value.map(|part| part * unit);
+                    let unit = if invert { 1.0 / *unit } else { *unit };
+                    *value *= unit;
                 }
             }
         }
@@ -58,25 +52,17 @@ impl Modes {
     /// Adds `factor/(iω − λ)` of mode `number` to a response, column after column; and, where `corrected`, `factor/λ`.
     pub fn add(&self, number: usize, omega: f64, corrected: bool, sum: &mut [Complex]) {
         let pole = self.poles[number];
-        let mut gain = over([1.0, 0.0], [-pole[0], omega - pole[1]]);
-        if corrected {
-            let fixed = over([1.0, 0.0], pole);
-            gain = [gain[0] + fixed[0], gain[1] + fixed[1]];
-        }
+        let fixed = if corrected { pole.inv() } else { Complex::from(0.0) };
+        let gain = (Complex::new(0.0, omega) - pole).inv() + fixed;
         let outputs = self.seen[number].len();
-        for (input, moved) in self.moved[number].iter().enumerate() {
-            let own = times(*moved, gain);
-            for (output, seen) in self.seen[number].iter().enumerate() {
-                let part = times(*seen, own);
-                let target = &mut sum[input * outputs + output];
-                *target = [target[0] + part[0], target[1] + part[1]];
-            }
+        for (moved, sums) in self.moved[number].iter().zip(sum.chunks_exact_mut(outputs.max(1))) {
+            sums.iter_mut().zip(&self.seen[number]).for_each(|(sum, seen)| *sum += seen * moved * gain);
         }
     }
 
     /// The response at `omega` without `D`.
     pub fn response(&self, omega: f64, count: usize) -> Vec<Complex> {
-        let mut sum = vec![[0.0; 2]; count];
+        let mut sum = vec![Complex::from(0.0); count];
         (0..self.poles.len()).for_each(|number| self.add(number, omega, false, &mut sum));
         sum
     }
@@ -88,22 +74,24 @@ impl Modes {
         let [mut a, mut b, mut c] =
             [Dense::zeros(count, count), Dense::zeros(count, inputs), Dense::zeros(outputs, count)];
         for (row, number) in chosen.iter().enumerate() {
-            let [decay, swing] = self.poles[*number];
+            let Complex { re: decay, im: swing } = self.poles[*number];
             a.column_mut(row)[row] = decay;
             if swing != 0.0 {
                 let other = chosen.iter().position(|own| *own == self.partner(*number)).unwrap_or(row);
                 // The first coordinate of a pair is √2 Re ζ, the second one √2 Im ζ.
                 a.column_mut(other)[row] = -swing;
             }
-            let part = usize::from(swing < 0.0);
-            let of_pair = if swing < 0.0 { self.partner(*number) } else { *number };
-            let factor = if swing == 0.0 { 1.0 } else { SQRT_2 };
-            let sign = if swing < 0.0 { -1.0 } else { 1.0 };
-            for input in 0..inputs {
-                b.column_mut(input)[row] = factor * self.moved[of_pair][input][part];
+            // Of a pair both follow from the vectors of the first one.
+            let (first, factor, is_second) = match swing {
+                swing if swing < 0.0 => (self.partner(*number), SQRT_2, true),
+                swing if swing > 0.0 => (*number, SQRT_2, false),
+                _ => (*number, 1.0, false),
+            };
+            for (input, moved) in self.moved[first].iter().enumerate() {
+                b.column_mut(input)[row] = factor * if is_second { moved.im } else { moved.re };
             }
-            for output in 0..outputs {
-                c.column_mut(row)[output] = sign * factor * self.seen[of_pair][output][part];
+            for (output, seen) in self.seen[first].iter().enumerate() {
+                c.column_mut(row)[output] = factor * if is_second { -seen.im } else { seen.re };
             }
         }
         [a, b, c]
@@ -111,7 +99,7 @@ impl Modes {
 
     /// The number of the conjugate mode: pairs stand next to each other.
     pub fn partner(&self, number: usize) -> usize {
-        match self.poles[number][1] {
+        match self.poles[number].im {
             swing if swing > 0.0 => number + 1,
             swing if swing < 0.0 => number - 1,
             _ => number,
@@ -122,57 +110,31 @@ impl Modes {
 /// The modes that last and those that fade; of a pair the one with the positive imaginary part first.
 pub fn pairs(found: &[Eigen]) -> (Vec<&Eigen>, Vec<&Eigen>) {
     let (mut lasting, mut fading) = (Vec::new(), Vec::new());
-    let mut order: Vec<&Eigen> = found.iter().filter(|own| own.value[1] >= 0.0).collect();
+    let mut order: Vec<&Eigen> = found.iter().filter(|own| own.value.im >= 0.0).collect();
     order.sort_by(|a, b| a.size().total_cmp(&b.size()));
     for own in order {
-        let target = if own.value[0] < -FADES * own.size() { &mut fading } else { &mut lasting };
+        let target = if own.value.re < -FADES * own.size() { &mut fading } else { &mut lasting };
         target.push(own);
-        if own.value[1] > 0.0 {
-            let distance = |other: &&Eigen| {
-                let same = own.right.iter().zip(&other.right);
-                let apart = same.map(|(a, b)| f64::hypot(a[0] - b[0], a[1] + b[1])).sum::<f64>();
-                let value = f64::hypot(own.value[0] - other.value[0], own.value[1] + other.value[1]);
-                (value / own.size(), apart)
+        if own.value.im > 0.0 {
+            let distance = |other: &Eigen| {
+                let vectors = own.right.iter().zip(&other.right);
+                let apart: f64 = vectors.map(|(own, other)| (own - other.conj()).norm()).sum();
+                ((own.value - other.value.conj()).norm() > ROUND_OFF * own.size(), apart)
             };
-            let conjugates = found.iter().filter(|other| other.value[1] < 0.0);
-            let conjugate = conjugates.min_by(|a, b| {
-                let ([a, b], [c, d]) = (<[f64; 2]>::from(distance(a)), <[f64; 2]>::from(distance(b)));
-                (a > ROUND_OFF).cmp(&(c > ROUND_OFF)).then(b.total_cmp(&d))
-            });
+            let conjugates = found.iter().filter(|other| other.value.im < 0.0).map(|other| (distance(other), other));
+            let conjugate = conjugates.min_by(|(a, _), (b, _)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+            let conjugate = conjugate.map(|(_, other)| other);
             target.extend(conjugate);
         }
     }
     (lasting, fading)
 }
 
-/// The largest singular value of a response with so many rows.
+/// The largest singular value of a response with so many rows; infinite where a number of it is not finite.
 pub fn norm(response: &[Complex], rows: usize) -> f64 {
-    let columns = response.len() / rows.max(1);
-    let mut vector: Vec<Complex> = vec![[1.0, 0.0]; columns];
-    let mut found = 0.0;
-    // A response to one input, or of one output, has one singular value.
-    for _ in 0..if rows.min(columns) > 1 { POWERS } else { 2 } {
-        let mut image = vec![[0.0; 2]; rows];
-        for (column, factor) in response.chunks_exact(rows.max(1)).zip(&vector) {
-            for (image, value) in image.iter_mut().zip(column) {
-                let part = times(*value, *factor);
-                *image = [image[0] + part[0], image[1] + part[1]];
-            }
-        }
-        let back = response.chunks_exact(rows.max(1)).map(|column| {
-            column.iter().zip(&image).fold([0.0; 2], |sum, (value, image)| {
-                let part = times([value[0], -value[1]], *image);
-                [sum[0] + part[0], sum[1] + part[1]]
-            })
-        });
-        let back: Vec<Complex> = back.collect();
-        let length = |vector: &[Complex]| vector.iter().flatten().map(|part| part * part).sum::<f64>().sqrt();
-        let size = length(&back);
-        if size == 0.0 {
-            return found;
-        }
-        found = length(&image) / length(&vector);
-        vector = back.iter().map(|value| value.map(|part| part / size)).collect();
+    if response.iter().any(|value| !value.is_finite()) {
+        return f64::INFINITY;
     }
-    found
+    let columns = response.len() / rows.max(1);
+    DMatrix::from_column_slice(rows, columns, response).singular_values().iter().copied().fold(0.0, f64::max)
 }

@@ -7,7 +7,7 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::mass::MassAt;
 use crate::solve::linear::Singular;
-use crate::solve::linear::dense::Dense;
+use crate::solve::linear::dense::{Complex, Dense};
 use crate::solve::modes::subspace::dot;
 use crate::solve::modes::{ROUND_OFF, linearize};
 use crate::solve::newton::kkt::Kkt;
@@ -69,9 +69,9 @@ pub fn poles(system: &System, base: &Base, selection: &Selection, a: &Dense) -> 
     let found = a.eigenvectors()?;
     let kinds = Kinds::new(system, base, found.iter().map(|(value, _)| *value));
     let mut poles: Vec<Pole> = Vec::new();
-    for (value, vector) in found.into_iter().filter(|(value, _)| value[1] >= 0.0) {
+    for (value, vector) in found.into_iter().filter(|(value, _)| value.im >= 0.0) {
         let (shape, parts) = shape(selection, &vector);
-        poles.push(Pole { value, kind: kinds.of(system, value, &shape), shape, parts });
+        poles.push(Pole { value: [value.re, value.im], kind: kinds.of(system, value, &shape), shape, parts });
     }
     poles.sort_by(|a, b| a.natural_frequency().total_cmp(&b.natural_frequency()));
     Ok(poles)
@@ -79,9 +79,10 @@ pub fn poles(system: &System, base: &Base, selection: &Selection, a: &Dense) -> 
 
 /// The motion of the coordinates when it is largest, by the vector of its pole; and real and imaginary part of that
 /// vector in all coordinates.
-pub(super) fn shape(selection: &Selection, vector: &[[f64; 2]]) -> (Vec<f64>, [Vec<f64>; 2]) {
+pub(super) fn shape(selection: &Selection, vector: &[Complex]) -> (Vec<f64>, [Vec<f64>; 2]) {
     let free = selection.chosen.len();
-    let parts = [0, 1].map(|part| vector[..free].iter().map(|value| value[part]).collect::<Vec<f64>>());
+    let parts: [Vec<f64>; 2] =
+        [|own: &Complex| own.re, |own: &Complex| own.im].map(|part| vector[..free].iter().map(part).collect());
     let [real, imaginary] = parts.each_ref().map(|part| dot(part, part));
     let product = dot(&parts[0], &parts[1]);
     // The phase at which Re(v exp(i φ)) is longest.
@@ -99,24 +100,24 @@ pub(super) struct Kinds {
 
 impl Kinds {
     /// Prepares for the system about `base`, with all its poles.
-    pub fn new(system: &System, base: &Base, poles: impl Iterator<Item = [f64; 2]>) -> Self {
-        let largest = poles.map(|value| value[0].hypot(value[1])).fold(0.0, f64::max);
+    pub fn new(system: &System, base: &Base, poles: impl Iterator<Item = Complex>) -> Self {
+        let largest = poles.map(|value| value.norm()).fold(0.0, f64::max);
         Self { stillness: Stillness::new(system, base), noise: NOISE * largest }
     }
 
     /// The kind of the pole `value`.
-    pub fn of(&self, system: &System, value: [f64; 2], shape: &[f64]) -> PoleKind {
+    pub fn of(&self, system: &System, value: Complex, shape: &[f64]) -> PoleKind {
         self.of_noisy(system, value, shape, || self.noise)
     }
 
     /// The same with the round-off `noise` of this pole, where its real part is positive.
-    pub fn of_noisy(&self, system: &System, value: [f64; 2], shape: &[f64], noise: impl FnOnce() -> f64) -> PoleKind {
-        let size = value[0].hypot(value[1]);
+    pub fn of_noisy(&self, system: &System, value: Complex, shape: &[f64], noise: impl FnOnce() -> f64) -> PoleKind {
+        let size = value.norm();
         if size <= self.noise || self.stillness.is_rigid(system, size, shape) {
             PoleKind::Rigid
-        } else if value[0] > LEAST_RATIO * size && value[0] > noise() {
+        } else if value.re > LEAST_RATIO * size && value.re > noise() {
             PoleKind::Unstable
-        } else if value[1] != 0.0 {
+        } else if value.im != 0.0 {
             PoleKind::Oscillating
         } else {
             PoleKind::Overdamped

@@ -19,7 +19,7 @@ use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::rotation::Rotation;
 use crate::mechanics::system::variation::follow;
-use crate::solve::linear::dense::Dense;
+use crate::solve::linear::dense::{Complex, Dense};
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::newton::not_converged;
 use crate::solve::step::response::{Responder, Response};
@@ -221,7 +221,7 @@ pub fn frame(
 /// changes no pole, apart from round-off of what cancels in `a`.
 fn is_same(a: &Dense, b: &Dense, modes: usize) -> bool {
     let Ok(mut found) = a.eigensystem() else { return false };
-    found.retain(|own| own.value[1] >= 0.0);
+    found.retain(|own| own.value.im >= 0.0);
     found.sort_by(|one, other| one.size().total_cmp(&other.size()));
     found.truncate(modes);
     let mut change = b.clone();
@@ -239,12 +239,9 @@ fn is_same(a: &Dense, b: &Dense, modes: usize) -> bool {
 }
 
 /// `|leftᵀ matrix right|`.
-fn form(matrix: &Dense, left: &[[f64; 2]], right: &[[f64; 2]]) -> f64 {
-    let parts = [0, 1].map(|part| matrix.times(&right.iter().map(|value| value[part]).collect::<Vec<f64>>()));
-    let mut sum = [0.0; 2];
-    for ((left, real), imaginary) in left.iter().zip(&parts[0]).zip(&parts[1]) {
-        sum[0] += left[0] * real - left[1] * imaginary;
-        sum[1] += left[0] * imaginary + left[1] * real;
-    }
-    f64::hypot(sum[0], sum[1])
+fn form(matrix: &Dense, left: &[Complex], right: &[Complex]) -> f64 {
+    let part = |of: fn(&Complex) -> f64| matrix.times(&right.iter().map(of).collect::<Vec<f64>>());
+    let [real, imaginary] = [part(|own| own.re), part(|own| own.im)];
+    let products = left.iter().zip(real.into_iter().zip(imaginary));
+    products.map(|(left, (real, imaginary))| left * Complex::new(real, imaginary)).sum::<Complex>().norm()
 }

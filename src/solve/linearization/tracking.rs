@@ -11,7 +11,7 @@ use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::rotation::Rotation;
 use crate::solve::linear::Singular;
-use crate::solve::linear::dense::{Dense, Eigen};
+use crate::solve::linear::dense::{Complex, Dense, Eigen};
 use crate::solve::modes::subspace::dot;
 
 /// Poles are one if they differ by less than this share.
@@ -64,18 +64,13 @@ impl Spectrum {
     /// The `count` softest vibrations: of each pair the one with the positive imaginary part. Those that have the pole
     /// of the last one belong to them: alone it would have no vectors of its own.
     pub fn softest(&self, count: usize) -> Vec<usize> {
-        let vibrates = |own: &usize| self.modes[*own].value[1] > 0.0 && self.kinds[*own] != PoleKind::Rigid;
+        let vibrates = |own: &usize| self.modes[*own].value.im > 0.0 && self.kinds[*own] != PoleKind::Rigid;
         let mut chosen: Vec<usize> = (0..self.modes.len()).filter(vibrates).collect();
         chosen.sort_by(|a, b| self.modes[*a].size().total_cmp(&self.modes[*b].size()));
-        let is_within = |(number, own): (usize, &usize)| {
-            let poles = [self.modes[*own].value, self.modes[chosen[count - 1]].value];
-            let distance = f64::hypot(poles[0][0] - poles[1][0], poles[0][1] - poles[1][1]);
-            number < count || distance <= SAME * self.modes[*own].size()
-        };
-        if (1..chosen.len()).contains(&count) {
-            let kept = chosen.iter().enumerate().take_while(|own| is_within(*own)).count();
-            chosen.truncate(kept);
-        }
+        let last = count.checked_sub(1).and_then(|last| chosen.get(last)).copied();
+        let joins = |own: &&usize| last.is_some_and(|last| is_one(&self.modes[**own], &self.modes[last]));
+        let all = count + chosen.iter().skip(count).take_while(joins).count();
+        chosen.truncate(all);
         chosen
     }
 
@@ -93,14 +88,9 @@ pub fn continued(known: &[Eigen], found: &[Eigen]) -> (Vec<usize>, bool) {
     for (group, members) in from.iter().enumerate() {
         let mut whole = 0.0;
         for (other, candidates) in to.iter().enumerate() {
-            let mut sum = [0.0; 2];
-            for (one, next) in members.iter().flat_map(|one| candidates.iter().map(move |next| (one, next))) {
-                let [there, back] =
-                    [product(&known[*one].left, &found[*next].right), product(&found[*next].left, &known[*one].right)];
-                sum[0] += there[0] * back[0] - there[1] * back[1];
-                sum[1] += there[0] * back[1] + there[1] * back[0];
-            }
-            let share = f64::hypot(sum[0], sum[1]);
+            let pairs = members.iter().flat_map(|one| candidates.iter().map(move |next| (&known[*one], &found[*next])));
+            let products = pairs.map(|(one, next)| product(&one.left, &next.right) * product(&next.left, &one.right));
+            let share = products.sum::<Complex>().norm();
             whole += share.round();
             is_certain &= (share - share.round()).abs() <= UNCLEAR;
             shares.push((share, group, other));
@@ -120,24 +110,24 @@ pub fn continued(known: &[Eigen], found: &[Eigen]) -> (Vec<usize>, bool) {
         }
     }
     for (members, mut chosen) in open[0].iter_mut().zip(pairs) {
-        chosen.sort_by(|a, b| found[*a].value[1].total_cmp(&found[*b].value[1]));
+        chosen.sort_by(|a, b| found[*a].value.im.total_cmp(&found[*b].value.im));
         members.iter().zip(chosen).for_each(|(own, chosen)| next[*own] = chosen);
     }
     (next, is_certain)
 }
 
+/// Whether the poles of both modes are one.
+fn is_one(own: &Eigen, other: &Eigen) -> bool {
+    (other.value - own.value).norm() <= SAME * own.size()
+}
+
 /// The numbers of the modes whose poles are one, by rising frequency.
 fn groups(modes: &[Eigen]) -> Vec<Vec<usize>> {
     let mut order: Vec<usize> = (0..modes.len()).collect();
-    order.sort_by(|a, b| modes[*a].value[1].total_cmp(&modes[*b].value[1]));
+    order.sort_by(|a, b| modes[*a].value.im.total_cmp(&modes[*b].value.im));
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for own in order {
-        let [real, imaginary] = modes[own].value;
-        let is_one = |other: &usize| {
-            let distance = f64::hypot(modes[*other].value[0] - real, modes[*other].value[1] - imaginary);
-            distance <= SAME * modes[own].size()
-        };
-        match groups.iter_mut().rev().find(|group| group.iter().any(is_one)) {
+        match groups.iter_mut().rev().find(|group| group.iter().any(|other| is_one(&modes[own], &modes[*other]))) {
             Some(group) => group.push(own),
             None => groups.push(vec![own]),
         }
@@ -146,10 +136,8 @@ fn groups(modes: &[Eigen]) -> Vec<Vec<usize>> {
 }
 
 /// `leftᵀ right`.
-fn product(left: &[[f64; 2]], right: &[[f64; 2]]) -> [f64; 2] {
-    left.iter()
-        .zip(right)
-        .fold([0.0; 2], |sum, (a, b)| [sum[0] + a[0] * b[0] - a[1] * b[1], sum[1] + a[0] * b[1] + a[1] * b[0]])
+fn product(left: &[Complex], right: &[Complex]) -> Complex {
+    left.iter().zip(right).map(|(left, right)| left * right).sum()
 }
 
 /// How the motion of `mode` turns about the axis of `rotation`, by the sign of `Im(zᴴ M (ω × z))`.
@@ -171,7 +159,7 @@ pub fn whirl(system: &System, base: &Base, rotation: &Rotation, selection: &Sele
     let circle = dot(&real, &times(&turned.cross(&imaginary))) - dot(&imaginary, &times(&turned.cross(&real)));
     let whole = dot(&real, &times(&real)) + dot(&imaginary, &times(&imaginary));
     // The other one of a pair has the conjugate vector.
-    match circle.copysign(circle * mode.value[1]) / whole {
+    match circle.copysign(circle * mode.value.im) / whole {
         share if share > WHIRLS => Whirl::Forward,
         share if share < -WHIRLS => Whirl::Backward,
         _ => Whirl::None,

@@ -5,11 +5,11 @@
 //! rest is reduced. `‖G − G_r‖∞ ≤ 2 Σ σ` over the Hankel singular values that are left out (Enns 1984, Glover 1984).
 //! Outputs and inputs are measured by their largest responses, so that units do not matter.
 
-use super::gramian::{Complex, factor, over, real, times};
+use super::gramian::{factor, real};
 use super::modal::{Modes, norm, pairs};
 use super::state_space::StateSpace;
 use crate::solve::linear::Singular;
-use crate::solve::linear::dense::{Dense, PivotedQr};
+use crate::solve::linear::dense::{Complex, Dense, PivotedQr};
 
 /// Entries below this share of what cancels in them are 0 in the equations of poles at 0.
 const ROUND_OFF: f64 = 1e-9;
@@ -88,6 +88,8 @@ pub struct Whole {
     pub matrices: StateSpace,
     /// Number of poles at 0.
     pub zeros: usize,
+    /// The size of the first one that is not, rad/s.
+    pub slowest: f64,
     /// Number of states, the last ones, that integrate inputs: poles at 0, too.
     pub integrators: usize,
     /// The number, for each output, of the first one with the same unit.
@@ -149,7 +151,7 @@ pub fn reduce(system: &Whole, size: Size, method: Method) -> Result<Truncated, R
 
 /// The part of the poles at 0 in states of the whole system, with these, and the rest.
 fn split(system: &Whole) -> Result<(StateSpace, Vec<Origin>, StateSpace), Refusal> {
-    let Whole { matrices: whole, zeros, integrators, .. } = system;
+    let Whole { matrices: whole, zeros, slowest, integrators, .. } = system;
     let (StateSpace { a, b, c, d }, zeros) = (whole, *zeros);
     let states = a.rows;
     let none = Dense::zeros(d.rows, d.columns);
@@ -160,12 +162,8 @@ fn split(system: &Whole) -> Result<(StateSpace, Vec<Origin>, StateSpace), Refusa
     }
     let mut balanced = a.clone();
     let scales = balanced.balance();
-    let mut sizes: Vec<f64> =
-        balanced.eigenvectors()?.iter().map(|(value, _)| f64::hypot(value[0], value[1])).collect();
-    sizes.sort_by(f64::total_cmp);
-    let next = sizes.get(zeros).copied().unwrap_or(1.0);
-    let mut right = balanced.space_near_zero(zeros, next)?;
-    let mut left = balanced.transposed().space_near_zero(zeros, next)?;
+    let mut right = balanced.space_near_zero(zeros, *slowest)?;
+    let mut left = balanced.transposed().space_near_zero(zeros, *slowest)?;
     for number in 0..zeros {
         right.column_mut(number).iter_mut().zip(&scales).for_each(|(value, scale)| *value *= scale);
         left.column_mut(number).iter_mut().zip(&scales).for_each(|(value, scale)| *value /= scale);
@@ -225,7 +223,7 @@ fn pivots(matrix: &Dense) -> Vec<usize> {
 
 /// Frequencies at which responses are compared, rad/s.
 fn grid(poles: &[Complex]) -> Vec<f64> {
-    let sizes = || poles.iter().map(|pole| f64::hypot(pole[0], pole[1]));
+    let sizes = || poles.iter().map(|pole| pole.norm());
     let (least, largest) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(0.0, f64::max));
     if largest == 0.0 {
         return vec![0.0];
@@ -234,7 +232,7 @@ fn grid(poles: &[Complex]) -> Vec<f64> {
     let mut grid: Vec<f64> =
         (0..GRID).map(|number| (from + (to - from) * number as f64 / (GRID - 1) as f64).exp()).collect();
     grid.push(0.0);
-    grid.extend(poles.iter().map(|pole| pole[1]).filter(|swing| *swing > 0.0));
+    grid.extend(poles.iter().map(|pole| pole.im).filter(|swing| *swing > 0.0));
     grid
 }
 
@@ -243,7 +241,7 @@ fn units(modes: &Modes, d: &Dense, kinds: &[usize], grid: &[f64]) -> [Vec<f64>; 
     let mut largest = Dense::zeros(d.rows, d.columns);
     for omega in grid {
         let response = plus(&modes.response(*omega, d.values.len()), d);
-        let sizes = response.iter().map(|value| f64::hypot(value[0], value[1]));
+        let sizes = response.iter().map(|value| value.norm());
         largest.values.iter_mut().zip(sizes).for_each(|(largest, size)| *largest = largest.max(size));
     }
     let or_one = |value: f64| if value > 0.0 { value } else { 1.0 };
@@ -271,14 +269,14 @@ fn scaled(d: &Dense, [outputs, inputs]: &[Vec<f64>; 2]) -> Dense {
 }
 
 fn plus(response: &[Complex], d: &Dense) -> Vec<Complex> {
-    response.iter().zip(&d.values).map(|(value, d)| [value[0] + d, value[1]]).collect()
+    response.iter().zip(&d.values).map(|(value, d)| value + d).collect()
 }
 
 /// Balanced truncation: `A`, `B`, `C`, the bound, and the error that responses show.
 fn balance(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> Result<([Dense; 3], f64, f64), Refusal> {
     let count = modes.poles.len();
     let partners: Vec<usize> = (0..count).map(|number| modes.partner(number)).collect();
-    let conjugate = |values: &[Complex]| values.iter().map(|value| [value[0], -value[1]]).collect::<Vec<_>>();
+    let conjugate = |values: &[Complex]| values.iter().map(Complex::conj).collect::<Vec<_>>();
     let reachable = real(&factor(&modes.poles, &modes.moved), &modes.poles, &partners);
     let seen: Vec<Vec<Complex>> = modes.seen.iter().map(|own| conjugate(own)).collect();
     let observable = real(&factor(&conjugate(&modes.poles), &seen), &modes.poles, &partners);
@@ -311,7 +309,7 @@ fn balance(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> R
     let numbers = outputs * reduced[1].columns;
     let errors = grid.iter().map(|omega| {
         let [whole, small] = [modes, &own].map(|modes| modes.response(*omega, numbers));
-        let lack: Vec<Complex> = whole.iter().zip(small).map(|(a, b)| [a[0] - b[0], a[1] - b[1]]).collect();
+        let lack: Vec<Complex> = whole.iter().zip(small).map(|(whole, small)| whole - small).collect();
         norm(&lack, outputs)
     });
     let error = errors.fold(0.0, f64::max) / peak;
@@ -321,21 +319,19 @@ fn balance(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> R
 /// The modes with the largest peaks, the error that responses show, and the static responses of the others.
 fn choose(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> (Vec<usize>, f64, Dense) {
     let [outputs, inputs] = [&modes.seen, &modes.moved].map(|lists| lists.first().map_or(0, Vec::len));
-    let length = |vector: &[Complex]| vector.iter().flatten().map(|part| part * part).sum::<f64>().sqrt();
-    let height = |own: &usize| length(&modes.seen[*own]) * length(&modes.moved[*own]) / -modes.poles[*own][0];
-    let mut order: Vec<usize> = (0..modes.poles.len()).filter(|own| modes.poles[*own][1] >= 0.0).collect();
+    let length = |vector: &[Complex]| vector.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
+    let height = |own: &usize| length(&modes.seen[*own]) * length(&modes.moved[*own]) / -modes.poles[*own].re;
+    let mut order: Vec<usize> = (0..modes.poles.len()).filter(|own| modes.poles[*own].im >= 0.0).collect();
     order.sort_by(|a, b| height(b).total_cmp(&height(a)));
     let whole = |own: usize| if modes.partner(own) == own { vec![own] } else { vec![own, modes.partner(own)] };
     // The lacks with all modes left out.
-    let mut lacks = vec![vec![[0.0; 2]; outputs * inputs]; grid.len()];
+    let mut lacks = vec![vec![Complex::from(0.0); outputs * inputs]; grid.len()];
     let add = |lacks: &mut Vec<Vec<Complex>>, own: usize, sign: f64| {
         for number in whole(own) {
             for (omega, lack) in grid.iter().zip(lacks.iter_mut()) {
-                let mut part = vec![[0.0; 2]; lack.len()];
+                let mut part = vec![Complex::from(0.0); lack.len()];
                 modes.add(number, *omega, true, &mut part);
-                lack.iter_mut()
-                    .zip(part)
-                    .for_each(|(own, part)| *own = [own[0] + sign * part[0], own[1] + sign * part[1]]);
+                lack.iter_mut().zip(part).for_each(|(own, part)| *own += part * sign);
             }
         }
     };
@@ -356,10 +352,9 @@ fn choose(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> (V
     }
     let mut correction = Dense::zeros(outputs, inputs);
     for number in (0..modes.poles.len()).filter(|number| !chosen.contains(number)) {
-        let fixed = over([-1.0, 0.0], modes.poles[number]);
         for (input, moved) in modes.moved[number].iter().enumerate() {
             for (output, seen) in modes.seen[number].iter().enumerate() {
-                correction.column_mut(input)[output] += times(times(*seen, *moved), fixed)[0];
+                correction.column_mut(input)[output] -= (seen * moved / modes.poles[number]).re;
             }
         }
     }

@@ -81,8 +81,8 @@ fn tangents_of_normal_forces() {
     SURFACES.iter().for_each(|surface| check(surface, "", 1e-7));
 }
 
-/// Friction of a beam that sticks to a plane: how the turn of a section changes with the coordinates, and where the
-/// center of pressure moves, is left to the iteration.
+/// Friction of a beam that sticks to a plane: how the turn of a section and the length under pressure change with the
+/// coordinates, and where the center of pressure moves, is left to the iteration.
 #[test]
 fn tangents_of_friction() {
     check(SURFACES[0], "friction = 0.3\nfriction_stiffness = 20", 1e-2);

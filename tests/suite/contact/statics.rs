@@ -107,3 +107,24 @@ fn sections_bear_what_is_touched() {
     let left = force + touched + ancf14::math::Vec3::new(2.0, 1.0, -30.0);
     assert!(left.norm() < 1e-7, "{left:?}");
 }
+
+/// A bar on a guide whose floor falls away from under it between two rows: nothing bears it then until it touches the
+/// floor again, where its weight of 10 N/m presses it in by 1 mm.
+#[test]
+fn beams_fall_until_they_touch() {
+    let text = "format = 1\n[model]\nname = \"Falling\"\ngravity = [0, 0, -10]\n\
+         [section.s]\nshape = \"rigidities\"\nEA = 1e5\nEI_y = 10\nEI_z = 10\nGJ = 10\nline_density = 1\n\
+         [beam.bar]\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 4\n\
+         [joint.guide]\ntype = \"prismatic\"\na = \"ground\"\nb = \"bar.start\"\naxis = [0, 0, 1]\n\
+         [frame.lift]\nposition = [0, 0, \"if(t < 0.15, 0, -0.3)\"]\n\
+         [surface.floor]\non = \"lift\"\nshape = \"plane\"\nnormal = [0, 0, 1]\n\
+         [contact.base]\nof = \"bar\"\nwith = \"floor\"\nstiffness = 1e4\n\
+         [output.middle]\nat = \"bar@0.5\"\nquantities = [\"position\"]\n\
+         [simulation]\nanalysis = \"static\"\ninitial = \"equilibrium\"\nstop = 0.3\nstep = 0.1\n";
+    let mut simulation = start(text);
+    let mut heights = vec![value(&simulation, "middle.position[3]")];
+    run(&mut simulation, 0.1, 0.3, |own| heights.push(value(own, "middle.position[3]")));
+    for (found, exact) in heights.iter().zip([-0.001, -0.001, -0.301, -0.301]) {
+        assert!((found - exact).abs() < 1e-6, "{heights:?}");
+    }
+}

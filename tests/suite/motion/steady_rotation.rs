@@ -83,9 +83,10 @@ fn whirls(speed: f64, damping: f64) -> Vec<Complex<f64>> {
     matrix.schur().unpack().1.diagonal().iter().copied().collect()
 }
 
-/// Sixteen elements leave 1e-7 at rest and 1e-5 at the largest speed. Wright, Smith, Thresher and Wang, Vibration modes of centrifugally stiffened beams, J. Appl. Mech. 49 (1982): the
-/// first flapping frequency over `√(EI/ρA L⁴)`, exact to five digits after the point at `η = 3`. The last digit of the
-/// others is 1e-4. Round-off of the stiff axial modes, 1e11 times as stiff, leaves 1e-11 of damping.
+/// Sixteen elements leave 1e-7 at rest and 1e-5 at the largest speed. Wright, Smith, Thresher and Wang, Vibration modes
+/// of centrifugally stiffened beams, J. Appl. Mech. 49 (1982): the first flapping frequency over `√(EI/ρA L⁴)`, exact to
+/// five digits after the point at `η = 3`. The last digit of the others is 1e-4. Round-off of the stiff axial modes,
+/// 1e11 times as stiff, leaves 1e-11 of damping.
 #[test]
 fn flapping_of_a_rotating_cantilever_meets_the_table() {
     let model = load(BLADE, &[]);
@@ -157,6 +158,50 @@ simulation = { stop = 1, step = 1e-3 }
     assert!(error < 1e-10, "{error:.1e}");
 }
 
+/// A rigid blade on a hinge across the axis, whose states are those of a turn: in the frame that turns it flaps with
+/// `ω² = Ω² (Iz − Ix + m e l)/Iy`, with the moments of inertia about the hinge, at the distance `e` from the axis, and
+/// the distance `l` of its center from there.
+#[test]
+fn a_hinged_blade_flaps() {
+    const HINGED: &str = r#"format = 1
+model = { name = "Hinged", gravity = [0, 0, 0] }
+body.hub = { mass = 1, position = [0, 0, 0], inertia = [0.01, 0.01, 0.01] }
+body.blade = { mass = 2, position = [0.5, 0, 0], inertia = [0.003, 0.02, 0.021] }
+joint.shaft = { type = "revolute", a = "ground", b = "hub", at = [0, 0, 0], axis = [0, 0, 1] }
+joint.hinge = { type = "revolute", a = "hub", b = "blade", at = [0.1, 0, 0], axis = [0, 1, 0] }
+drive.motor = { joint = "shaft", coordinate = "angle", value = 0 }
+simulation = { stop = 1, step = 1e-3 }
+"#;
+    let model = load(HINGED, &[]);
+    let found = steady(&model, 20.0).unwrap();
+    assert_eq!(frame(&found), Frame::Turning);
+    let steiner: f64 = 2.0 * 0.4 * 0.4;
+    let ratio = (0.021 + steiner - 0.003 + 2.0 * 0.1 * 0.4) / (0.02 + steiner);
+    let poles = found.poles(&model).unwrap();
+    let (_, error) = nearest(&poles, Complex::new(0.0, 20.0 * ratio.sqrt()));
+    assert!(poles.len() == 1 && error < 1e-9, "{poles:?} {error:.1e}");
+}
+
+/// A flywheel in a bearing of the ground that a spring turns with the shaft: it turns too, since the spring would wind
+/// up otherwise. About the rotation it swings with `ω² = k/J`.
+#[test]
+fn springs_take_along_what_they_hold() {
+    const WHEEL: &str = r#"format = 1
+model = { name = "Flywheel", gravity = [0, 0, 0] }
+body.shaft = { mass = 1, position = [0, 0, 0], inertia = [0.01, 0.01, 0.01] }
+body.wheel = { mass = 1, position = [0, 0, 0.2], inertia = [0.02, 0.02, 0.03] }
+joint.bearing = { type = "revolute", a = "ground", b = "shaft", at = [0, 0, 0], axis = [0, 0, 1] }
+joint.other = { type = "revolute", a = "ground", b = "wheel", at = [0, 0, 0.2], axis = [0, 0, 1] }
+joint.coupling = { type = "bushing", a = "shaft", b = "wheel", at = [0, 0, 0.1], stiffness = [0, 0, 0], rotational_stiffness = [0, 0, 12] }
+drive.motor = { joint = "bearing", coordinate = "angle", value = 0 }
+simulation = { stop = 1, step = 1e-3 }
+"#;
+    let model = load(WHEEL, &[]);
+    let found = steady(&model, 30.0).unwrap();
+    let (_, error) = nearest(&found.poles(&model).unwrap(), Complex::new(0.0, 20.0));
+    assert!(error < 1e-9, "{error:.1e}");
+}
+
 /// Gravity across the axis, and a blade in a support that is not round, are periodic; a drive of a distance turns
 /// nothing.
 #[test]
@@ -166,6 +211,11 @@ fn periodic_motions_are_refused() {
     assert!(message.contains("gravity is not along the axis") && message.contains("--without-gravity"), "{message}");
     let spin = Spin { drive: String::from("motor"), speed: 1.0, is_weightless: true };
     assert!(model.linearize_steady(&spin, Some(&[]), Some(&[])).is_ok());
+
+    // A force that stands still in space does not turn with the blade.
+    let pushed = BLADE.replace("drive.motor", "load.push = { at = \"blade.end\", force = [0, 1e-6, 0] }\ndrive.motor");
+    let message = steady(&load(&pushed, &[]), 1.0).unwrap_err();
+    assert!(message.contains("the equations of motion do not hold any more"), "{message}");
 
     let flat = ROTOR.replace("shape = \"circle\", radius = 0.01", "shape = \"rectangle\", width = 0.02, height = 0.01");
     let sliding = flat.replace(
@@ -189,13 +239,13 @@ fn campbell(model: &Simulation, speeds: Vec<f64>, count: usize) -> Campbell {
     model.campbell(&sweep).unwrap_or_else(|failure| panic!("{}", failure.message))
 }
 
-/// The overhung rotor from rest to 1500 rad/s: the modes are followed through all crossings with the closed form of
-/// their own whirl; critical speeds and the limit of stability meet it. Damping that turns with the shaft does nothing
+/// The overhung rotor from rest to 2600 rad/s: the modes are followed with the closed form of their own whirl, the second
+/// backward one through the frequency of torsion near 2100 rad/s; critical speeds and the limit of stability meet it. Damping that turns with the shaft does nothing
 /// where the whirl has its speed, so that forward whirl grows from its critical speed on.
 #[test]
 fn modes_of_an_overhung_rotor_are_followed() {
     let model = load(&ROTOR.replace("density = 1e-3", "density = 1e-3, damping = 2e-5"), &[]);
-    let speeds: Vec<f64> = (0..=15).map(|number| 100.0 * f64::from(number)).collect();
+    let speeds: Vec<f64> = (0..=26).map(|number| 100.0 * f64::from(number)).collect();
     let found = campbell(&model, speeds.clone(), 5);
     assert_eq!((found.frame, found.uncertain), (Frame::Fixed, 0));
     let mut whirling = 0;
@@ -245,4 +295,14 @@ fn modes_of_an_overhung_rotor_are_followed() {
         assert_eq!(own.excitation, Excitation::Once);
     }
     assert_eq!(found.stability_limit, None);
+}
+
+/// A round rotor at rest has pairs of modes with one pole. Both are followed where one is asked for: alone it would have
+/// no vectors of its own, and could become the forward mode as well as the backward one.
+#[test]
+fn modes_with_one_pole_are_followed_together() {
+    let found = campbell(&load(ROTOR, &[]), vec![0.0, 50.0, 100.0], 1);
+    assert_eq!((found.modes.len(), found.uncertain), (2, 0));
+    let [one, other] = [0, 1].map(|mode| found.modes[mode][2].whirl);
+    assert!(one != other && one != Whirl::None && other != Whirl::None, "{one:?} {other:?}");
 }

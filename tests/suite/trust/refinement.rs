@@ -160,8 +160,9 @@ fn rod(line: &str, more: &str) -> String {
     )
 }
 
-/// A beam without `elements` has 8, one for each 25 degrees of its curve or its pretwist, and nodes where joints are,
-/// and where forces act if up to four times as many elements have them; its twist is quadratic. A number that is written keeps linear twist.
+/// A beam without `elements` has 8, one for each 25 degrees of its curve or its pretwist, and nodes where joints are, and
+/// where forces act if up to four times as many elements have them; its twist is quadratic. A number that is written
+/// keeps linear twist.
 #[test]
 fn meshes_follow_the_shape() {
     let straight = "from = [0, 0, 0]\nto = [1, 0, 0]";
@@ -285,8 +286,10 @@ fn the_claim_of_a_path_past_limit_points_is_true() {
     let truth = rows.iter().map(|row| distance(&scaled(row), &path)).fold(0.0, f64::max);
     let claimed = outcome.worst.as_ref().map_or(0.0, |worst| worst.error);
     println!("{}: off by {truth:.2e}, claimed {claimed:.2e}", outcome.line());
-    // The fine path is made of chords of 1/250 of the whole: they miss it by 1e-5.
-    assert!(outcome.end == End::Reached && claimed < 0.005 && truth < 1.5 * claimed + 1e-5, "{truth} {claimed}");
+    // The fine path is made of chords of 1/250 of the whole: they miss it by 1e-5. Equilibria under the same load are
+    // farther apart near limit points: they would claim 1.7 times the truth.
+    assert!(outcome.end == End::Reached && claimed < 0.005, "{outcome:?}");
+    assert!(truth < 1.5 * claimed + 1e-5 && claimed < 1.5 * truth + 1e-5, "{truth} {claimed}");
 }
 
 /// The distance of a point from the chords of a path.

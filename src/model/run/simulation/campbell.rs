@@ -5,7 +5,7 @@ use super::linear::{check_poles, not_found};
 use super::steady::{Frame, Rotor, Turning};
 use super::{Simulation, failure, wrong};
 use crate::fmi::Failure;
-use crate::solve::linear::dense::Eigen;
+use crate::solve::linear::dense::{Complex, Eigen};
 use crate::solve::linearization::independent::Selection;
 use crate::solve::linearization::poles::PoleKind;
 use crate::solve::linearization::steady::matrix;
@@ -149,9 +149,7 @@ impl Follower<'_> {
         let vectors = |mode: usize| spectrum.modes[followed[mode]].clone();
         let joins = |mode: usize| {
             let own = vectors(mode);
-            let is_near = |a: &Eigen, b: &Eigen, share: f64| {
-                f64::hypot(a.value[0] - b.value[0], a.value[1] - b.value[1]) <= share * a.size()
-            };
+            let is_near = |a: &Eigen, b: &Eigen, share: f64| (a.value - b.value).norm() <= share * a.size();
             (0..followed.len()).any(|other| {
                 other != mode
                     && is_near(&own, &vectors(other), JOINED)
@@ -169,7 +167,7 @@ impl Stop {
         let point = |own: &usize| {
             let mode = &self.spectrum.modes[*own];
             Point {
-                value: mode.value,
+                value: [mode.value.re, mode.value.im],
                 whirl: whirl(&rotor.system, &self.turning.bases[0], &self.turning.rotation, selection, mode),
                 is_unstable: self.spectrum.kinds[*own] == PoleKind::Unstable,
             }
@@ -177,7 +175,7 @@ impl Stop {
         self.followed.iter().map(point).collect()
     }
 
-    fn value(&self, mode: usize) -> [f64; 2] {
+    fn value(&self, mode: usize) -> Complex {
         self.spectrum.modes[self.followed[mode]].value
     }
 
@@ -186,7 +184,7 @@ impl Stop {
     }
 
     fn lacks(&self, mode: usize, kind: Lack) -> f64 {
-        let [real, imaginary] = self.value(mode);
+        let Complex { re: real, im: imaginary } = self.value(mode);
         match kind {
             Lack::Frequency(Excitation::Once) => imaginary.abs() - self.speed().abs(),
             Lack::Frequency(Excitation::TurnsAlong) => imaginary,
@@ -196,8 +194,8 @@ impl Stop {
 
     /// Whether a mode fades so fast that round-off does not tell otherwise.
     fn fades(&self, mode: usize) -> bool {
-        let [real, imaginary] = self.value(mode);
-        real < -FADING * real.hypot(imaginary)
+        let value = self.value(mode);
+        value.re < -FADING * value.norm()
     }
 }
 

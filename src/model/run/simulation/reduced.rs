@@ -39,15 +39,17 @@ impl Linear {
         }
         let states = self.states.len();
         check_poles(states)?;
-        let rigid = self.poles(simulation)?.into_iter().filter(|pole| pole.kind == PoleKind::Rigid);
-        let rigid: usize = rigid.map(|pole| if pole.value[1] > 0.0 { 2 } else { 1 }).sum();
+        let (rigid, others): (Vec<Pole>, Vec<Pole>) =
+            self.poles(simulation)?.into_iter().partition(|pole| pole.kind == PoleKind::Rigid);
+        let slowest = others.first().map_or(1.0, Pole::natural_frequency);
+        let rigid: usize = rigid.iter().map(|pole| if pole.value[1] > 0.0 { 2 } else { 1 }).sum();
         let Self { a, b, c, d, .. } = self.clone();
         let integrators = self.integrators();
         let kind = |output: &Signal| self.outputs.iter().position(|other| other.unit == output.unit);
         let kinds = self.outputs.iter().filter_map(kind).collect();
         let matrices = StateSpace { a, b, c, d };
         let zeros = rigid + integrators;
-        let whole = Whole { matrices, zeros, integrators, kinds };
+        let whole = Whole { matrices, zeros, slowest, integrators, kinds };
         let found = truncation::reduce(&whole, size, method);
         let Truncated { matrices, origins, kept, bound, error } = found.map_err(|refusal| match refusal {
             Refusal::NotFound => not_found(),
@@ -59,7 +61,7 @@ impl Linear {
         // Those at 0 have a block of their own, the first one.
         let own: Vec<usize> = (zeros..matrices.a.rows).collect();
         let rest = matrices.a.rows_of(&own).transposed().rows_of(&own).transposed();
-        let found = rest.eigenvectors().map_err(|_| not_found())?.into_iter().map(|(value, _)| value);
+        let found = rest.eigenvectors().map_err(|_| not_found())?.into_iter().map(|(value, _)| [value.re, value.im]);
         let found = found.filter(|value| value[1] >= 0.0).map(pole);
         let mut poles: Vec<Pole> = vec![pole([0.0; 2]); zeros].into_iter().chain(found).collect();
         poles.sort_by(|a, b| a.natural_frequency().total_cmp(&b.natural_frequency()));
