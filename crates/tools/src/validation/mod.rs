@@ -6,6 +6,7 @@ mod blades;
 mod buckling;
 mod chosen_steps;
 mod comparison;
+mod contact;
 mod critical;
 mod elastica;
 mod estimates;
@@ -55,7 +56,7 @@ pub enum Runs {
 }
 
 /// All sections in the order of the page.
-pub const CASES: [Case; 22] = [
+pub const CASES: [Case; 23] = [
     Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
     Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
     Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
@@ -75,6 +76,7 @@ pub const CASES: [Case; 22] = [
     Case { title: "Paths past a limit load: the peer", runs: Runs::Asked, write: paths::peer },
     Case { title: "Natural frequencies", runs: Runs::Short, write: frequencies::write },
     Case { title: "Blades", runs: Runs::Long, write: blades::write },
+    Case { title: "Contact", runs: Runs::Long, write: contact::write },
     Case { title: "Steps chosen by an accuracy", runs: Runs::Long, write: chosen_steps::write },
     Case { title: "Estimated errors: equilibria", runs: Runs::Short, write: estimates::equilibria },
     Case { title: "Estimated errors: motion", runs: Runs::Long, write: estimates::motion },
