@@ -115,7 +115,7 @@ fn found(model: &Simulation, (file, reach): (&Path, Reach)) -> Result<Option<(Si
     let (search, text) = match written {
         Ok(written) => written,
         Err(reason) => {
-            complain(&format!("warning: the FMU has the automatic meshes as they begin: {reason}"));
+            complain(&format!("warning: the FMU keeps its first automatic meshes: {reason}"));
             return Ok(None);
         }
     };

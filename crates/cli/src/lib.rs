@@ -254,8 +254,8 @@ enum Command {
         /// Shared library to pack [default: next to this program, or in ../lib]
         #[arg(long, value_name = "PATH")]
         library: Option<PathBuf>,
-        /// Take automatic meshes as they begin: by default the model runs, and the FMU has the elements and steps with
-        /// which its results are accurate
+        /// Keep the first automatic meshes; by default the model runs, and the FMU gets the elements and steps with which
+        /// its results are accurate
         #[arg(long)]
         no_refine: bool,
         /// Pack this library for another platform: --binary win64=ancf14.dll

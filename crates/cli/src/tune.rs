@@ -80,8 +80,8 @@ pub fn tune((path, reach): (&Path, Reach), output: Option<PathBuf>, budget: f64)
     let (simulation, _) = load(path, &[], reach)?;
     let text = file::text(path).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     let Some(search) = search(simulation, budget)? else {
-        let message = "error: nothing is left to be found: the model file gives its steps and its elements, or begins \
-                       with a state";
+        let message = "error: tune has nothing to find: the model file gives its steps and its elements, or begins with \
+                       a state";
         return Err(Stop::Bad(message.to_owned()));
     };
     say(&search.outcome.line())?;
@@ -113,14 +113,14 @@ fn tell_difference(search: &Search, output: &Path, text: &str, reach: Reach) -> 
             Ok(())
         }
         Some(worst) if worst.error > 0.0 => say(&words(&worst)),
-        _ => say("results of a run of it are bit-identical to those of the finest run"),
+        _ => say("results of a run of this file are bit-identical to those of the finest run"),
     }
 }
 
 /// How far a run of the file is from the finest run.
 fn words(worst: &Inexact) -> String {
     format!(
-        "a run of it differs from the finest run by {} of the range of {}, since its steps or its path are others",
+        "a run of this file differs from the finest run by {} of the range of {}, because its steps or its path differ",
         worst.size(),
         worst.name
     )

@@ -50,14 +50,17 @@ fn divided_steps_become_an_accuracy() {
     fs::write(path.join("m.toml"), mount).unwrap();
     let output = ancf14(path, &["tune", "m.toml", "-o", "t.toml"]);
     let told = text(&output.stdout).to_owned() + &text(&output.stderr);
-    assert!(output.status.success() && told.contains("a run of it differs from the finest run by about 0."), "{told}");
+    assert!(
+        output.status.success() && told.contains("a run of this file differs from the finest run by about 0."),
+        "{told}"
+    );
     let tuned = fs::read_to_string(path.join("t.toml")).unwrap();
     let line = tuned.lines().last().unwrap();
     let number = line.strip_prefix("accuracy = ").and_then(|rest| rest.strip_suffix(" # coarse")).unwrap();
     let accuracy: f64 = number.parse().unwrap();
     assert!(tuned.lines().count() == mount.lines().count() && accuracy <= 0.03 / 4.0, "{tuned}");
     fs::write(path.join("given.toml"), mount.replace("accuracy = 0.03 # coarse", "step = 0.01")).unwrap();
-    for (file, reason) in [("given.toml", "nothing is left to be found"), ("-", "not a pipe")] {
+    for (file, reason) in [("given.toml", "tune has nothing to find"), ("-", "not a pipe")] {
         let refused = ancf14(path, &["tune", file, "-o", "x.toml"]);
         assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains(reason), "{refused:?}");
         assert!(!path.join("x.toml").exists());

@@ -138,7 +138,7 @@ impl<'a> Rotor<'a> {
             Some((selection, Some(frame))) => Ok((selection, frame)),
             Some((_, None)) => Err(self.periodic(
                 "the linear system at 0 degrees is not that at 37 degrees, neither in the fixed frame nor in the one \
-                 that turns: neither what turns nor what it turns in is round",
+                 that turns: neither the rotor nor its support is round",
             )),
             None => {
                 Err(wrong(String::from("nothing can move: the constraints leave no degree of freedom to linearize")))
@@ -178,7 +178,7 @@ fn no_rotation(name: &str, reason: NoRotation) -> Failure {
              \"angle\""
         ),
         NoRotation::Held => format!(
-            "drive {name} does not turn the mechanism as a whole: joints hold what it turns to the ground, or let it \
+            "drive {name} does not turn the mechanism as a whole: joints hold its part to the ground, or let it \
              turn about another axis only"
         ),
     })
