@@ -12,6 +12,11 @@ pub struct Pace {
     pub damping_step: f64,
     /// Error of the last step over that allowed; 0: not known.
     pub ratio: f64,
+    /// How many times more than its share the error of a step may be, less one: the results are far more exact than
+    /// asked for.
+    pub ease: f64,
+    /// When that was judged last, s.
+    pub judged: f64,
     /// Largest turn in the last step over what it may be.
     pub turned: f64,
     /// Start of the motion, s.
@@ -25,10 +30,10 @@ pub struct Pace {
 impl Pace {
     /// Whether it may be one of a system with `coordinates` coordinates.
     pub fn is_possible(&self, coordinates: usize) -> bool {
-        let Self { wanted, damping_step, ratio, turned, since, travel, range: [places, angles] } = self;
-        let sizes = [wanted, damping_step, ratio, turned, places, angles];
+        let Self { wanted, damping_step, ratio, ease, judged, turned, since, travel, range: [places, angles] } = self;
+        let sizes = [wanted, damping_step, ratio, ease, turned, places, angles];
         let are_possible = sizes.iter().all(|size| size.is_finite() && **size >= 0.0);
-        are_possible && since.is_finite() && (travel.is_empty() || travel.len() == coordinates)
+        are_possible && since.is_finite() && judged.is_finite() && (travel.is_empty() || travel.len() == coordinates)
     }
 
     /// Takes the values of another one, keeping its own memory.

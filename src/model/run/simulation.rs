@@ -12,6 +12,7 @@ mod guided;
 mod kept;
 pub mod linear;
 mod loading;
+mod look;
 mod mesh_error;
 pub mod pole_check;
 pub mod reduced;
@@ -272,28 +273,10 @@ impl Simulation {
         self.keep_peak();
         if self.accuracy.is_due(self.runner.state.statistics.steps) {
             self.look();
+            self.ease();
         }
         self.correct();
         Ok(())
-    }
-
-    /// Looks how far the results of the state that is reached are off.
-    fn look(&mut self) {
-        let Runner { system, state, responder, solver, .. } = &mut self.runner;
-        let Some(spare) = solver.spare() else { return };
-        let results = (&*self.results, self.document.simulation.correction);
-        let (known, memory) = ((&*self.columns, &*self.table), (&mut self.looker, spare));
-        self.accuracy.look(known, (system, state), responder.as_deref_mut(), results, memory);
-    }
-
-    /// Takes the time-step error out of the results, as computed, if the file asks for it.
-    fn correct(&mut self) {
-        if self.document.simulation.correction {
-            let Runner { system, state, responder, solver, .. } = &mut self.runner;
-            let Some(spare) = solver.spare() else { return };
-            let (known, memory) = ((&*self.columns, &*self.table), (&mut self.looker, spare));
-            self.accuracy.correct(known, (system, state), responder.as_deref_mut(), &mut self.results, memory);
-        }
     }
 
     /// Reads all results off the state that the system has reached, as users get them.

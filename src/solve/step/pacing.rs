@@ -39,6 +39,13 @@ const LEAST_SHARE: f64 = 0.015;
 /// where they are small.
 const MANY_STEPS: f64 = 20_000.0;
 const SHORT_SHARE: f64 = 0.02;
+/// Where the results are expected to be off by less than the first share of the accuracy at the end, the errors of steps
+/// may be larger, up to so many times; beyond the second share they become smaller again, by the same factor.
+const EASED: [f64; 2] = [0.1, 0.3];
+const MOST_EASED: f64 = 30.0;
+const EASE: f64 = 2.0;
+/// Share of the duration between two such judgments.
+const BETWEEN: f64 = 0.01;
 /// Ranges so far are at least this, of the system's size or rad.
 const LEAST_RANGE: f64 = 1e-4;
 /// The same at a start, and after which share of the duration that has faded.
@@ -80,13 +87,33 @@ impl Pacing {
         let (own, short) = ((step / duration).min(1.0), 1.0 / MANY_STEPS);
         let least = LEAST_SHARE * accuracy.sqrt();
         let least = f64::max(least, f64::min(least * (short / own).powi(2), SHORT_SHARE));
-        let share = (EVEN_SHARE * own).max(least);
+        let share = (EVEN_SHARE * own).max(least) * (1.0 + pace.ease);
         if error.iter().any(|error| !error.is_finite()) {
             return f64::INFINITY;
         }
         let ratios =
             error.iter().zip(pace.range).map(|(error, range)| error / (accuracy * share * range.max(least_range)));
         ratios.fold(0.0, f64::max)
+    }
+
+    /// Whether [`Self::ease`] is to be called at `time`.
+    pub fn is_due(self, pace: &Pace, time: f64) -> bool {
+        !self.is_given && time - pace.since >= STARTING * self.duration && time - pace.judged >= BETWEEN * self.duration
+    }
+
+    /// Lets the steps of a motion have larger errors while its results, off by `error` as a share of their ranges, are far
+    /// more exact than asked for, and takes that back where they are not: `time` is now.
+    pub fn ease(self, pace: &mut Pace, error: f64, time: f64) {
+        pace.judged = time;
+        // Errors grow as the time at least.
+        let expected = error / ((time - pace.since) / self.duration).min(1.0) / self.accuracy;
+        let most = 1.0 + pace.ease;
+        pace.ease = match expected {
+            // Steps that other limits hold ask for nothing.
+            low if low < EASED[0] && pace.ratio > SMALL => f64::min(EASE * most, MOST_EASED) - 1.0,
+            high if high > EASED[1] => f64::max(most / EASE, 1.0) - 1.0,
+            _ => pace.ease,
+        };
     }
 
     /// Refuses a step whose error is too large, unless it was given; otherwise remembers it in `pace`.
@@ -131,6 +158,7 @@ impl Pacing {
         time_error.known = 0;
         pace.wanted *= JUMP;
         pace.ratio = 0.0;
+        pace.ease = 0.0;
     }
 
     /// Takes `state` one step on in an interval from `begin` to `end`, s; returns whether the end is reached. Breaks on

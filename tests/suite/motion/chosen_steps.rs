@@ -163,6 +163,35 @@ fn jumps_of_inputs_are_no_errors() {
     assert!(steps < 4000, "{steps}");
 }
 
+/// A ripple of a thousandth of the motion, 100 times as fast, that holds the steps up: they become longer where results
+/// that are asked for are far more exact than that, and stay so where the ripple itself is a result. Without rows
+/// on the way nothing is known of results.
+#[test]
+fn steps_are_as_exact_as_the_results_ask_for() {
+    let rippled = |settings: &str| {
+        oscillator(settings)
+            + "[body.r]\nmass = 1\nposition = [5, 0, -1]\ninertia = [0.1, 0.1, 0.1]\nvelocity = [0, 0, 0.1]\n\
+               [point.nail]\non = \"ground\"\noffset = [5, 0, 0]\n\
+               [spring.wire]\na = \"nail\"\nb = \"r\"\nstiffness = 1e7\n"
+    };
+    let shown = "[output.R]\nat = \"r\"\nquantities = [\"displacement\"]\n";
+    let steps = |text: &str, every: f64| {
+        let mut simulation = start(text);
+        let found = error(&mut simulation, every);
+        (simulation.state().statistics.steps, found)
+    };
+    // The ripple has a hundredth of the energy.
+    let quiet = rippled("totals = []");
+    let [(unknown, _), (eased, found), (asked, _)] =
+        [steps(&quiet, 1.0), steps(&quiet, 0.01), steps(&(quiet.clone() + shown), 0.01)];
+    println!(
+        "{unknown} steps without rows, {eased} with rows, error {found:.1e}, {asked} where the ripple is a result"
+    );
+    // Thirty times the error of a step is three times its length; the growth takes a tenth of the motion.
+    assert!(2 * eased < unknown && found < 1e-3, "{eased} of {unknown} steps, {found}");
+    assert!(10 * asked > 9 * unknown, "{asked} of {unknown} steps");
+}
+
 /// A host's tolerance is the accuracy.
 #[test]
 fn a_tolerance_is_the_accuracy() {

@@ -1,0 +1,38 @@
+//! Looks at how far the results are off while a run goes on, and what follows from that: longer steps, corrected results.
+
+use super::Simulation;
+use super::runner::Runner;
+
+impl Simulation {
+    /// Lets the steps that follow be longer while the results are far more exact than asked for.
+    pub(super) fn ease(&mut self) {
+        let Some(pacing) = self.runner.pacing else { return };
+        let state = &self.runner.state;
+        if !pacing.is_due(&state.pace, state.time) {
+            return;
+        }
+        let errors = self.accuracy.errors(&self.columns, &self.measures(), false);
+        let Some(error) = errors.iter().map(|own| own.error).reduce(f64::max) else { return };
+        let state = &mut self.runner.state;
+        pacing.ease(&mut state.pace, error, state.time);
+    }
+
+    /// Looks how far the results of the state that is reached are off.
+    pub(super) fn look(&mut self) {
+        let Runner { system, state, responder, solver, .. } = &mut self.runner;
+        let Some(spare) = solver.spare() else { return };
+        let results = (&*self.results, self.document.simulation.correction);
+        let (known, memory) = ((&*self.columns, &*self.table), (&mut self.looker, spare));
+        self.accuracy.look(known, (system, state), responder.as_deref_mut(), results, memory);
+    }
+
+    /// Takes the time-step error out of the results, as computed, if the file asks for it.
+    pub(super) fn correct(&mut self) {
+        if self.document.simulation.correction {
+            let Runner { system, state, responder, solver, .. } = &mut self.runner;
+            let Some(spare) = solver.spare() else { return };
+            let (known, memory) = ((&*self.columns, &*self.table), (&mut self.looker, spare));
+            self.accuracy.correct(known, (system, state), responder.as_deref_mut(), &mut self.results, memory);
+        }
+    }
+}
