@@ -308,6 +308,15 @@ ancf14_simulation *ancf14_load_file(const char *path,
                                     size_t size);
 
 /*
+ Loads the model file at `path`, which you trust: it may include files and read tables from outside of its folder,
+ where ancf14_load_file returns an error. All else is as there.
+ */
+ancf14_simulation *ancf14_load_trusted_file(const char *path,
+                                            const char *overrides,
+                                            char *error,
+                                            size_t size);
+
+/*
  Loads a model from memory: `model` is the text of a model file, `name` what messages call it. All else is as in
  ancf14_load_file.
  */

@@ -20,6 +20,7 @@ use super::{
     guard::{self as pointers, caught, text},
     live,
 };
+use crate::model::file::Reach;
 use crate::simulation::{Error, SavedState, Simulation};
 
 /// The version of the library: "0.1.0".
@@ -44,6 +45,23 @@ pub unsafe extern "C" fn ancf14_load_file(
 ) -> *mut ancf14_simulation {
     // SAFETY: the rules at the head of the header.
     unsafe { load(overrides, error, size, |overrides| Ok(Simulation::open_with(text(path, "path")?, overrides)?)) }
+}
+
+/// Loads the model file at `path`, which you trust: it may include files and read tables from outside of its folder,
+/// where ancf14_load_file returns an error. All else is as there.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn ancf14_load_trusted_file(
+    path: *const c_char,
+    overrides: *const c_char,
+    error: *mut c_char,
+    size: usize,
+) -> *mut ancf14_simulation {
+    // SAFETY: the rules at the head of the header.
+    unsafe {
+        load(overrides, error, size, |overrides| {
+            Ok(Simulation::open_reaching(text(path, "path")?, Reach::Anywhere, overrides)?)
+        })
+    }
 }
 
 /// Loads a model from memory: `model` is the text of a model file, `name` what messages call it. All else is as in

@@ -63,6 +63,18 @@ static void loading(const char *model, const char *bad) {
     check(ancf14_load_text("mine", "format = 2", NULL, text, sizeof text) == NULL && strstr(text, "mine:1") != NULL, "text");
 }
 
+/* A model that includes a file from outside of its folder loads where the program trusts it. */
+static void trust(const char *outside) {
+    char text[4096];
+    ancf14_simulation *simulation;
+    does_not_load(outside, NULL, "ancf14_load_trusted_file");
+    simulation = ancf14_load_trusted_file(outside, NULL, text, sizeof text);
+    check(simulation != NULL && text[0] == '\0', text);
+    ancf14_free(simulation);
+    check(ancf14_load_trusted_file("missing.toml", NULL, text, sizeof text) == NULL && strstr(text, "cannot read") != NULL, text);
+    check(ancf14_load_trusted_file(NULL, NULL, NULL, 0) == NULL, "NULL path");
+}
+
 /* Pointers that are no simulation: NULL, freed, something else. */
 static void no_handle(ancf14_simulation *none) {
     double value = 7.0;
@@ -168,9 +180,10 @@ int main(int count, char **words) {
     ancf14_state *state;
     double number = 0.0;
     char text[4096] = "left over";
-    check(count == 3, "two words");
+    check(count == 4, "three words");
     check(strchr(ancf14_version(), '.') != NULL, "version");
     loading(words[1], words[2]);
+    trust(words[3]);
     arm = ancf14_load_file(words[1], NULL, text, sizeof text);
     check(arm != NULL && text[0] == '\0', "loaded");
     check(strcmp(ancf14_last_error(arm), "") == 0 && ancf14_next_warning(arm) == NULL, "nothing to tell");

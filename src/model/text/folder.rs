@@ -7,7 +7,7 @@ use super::disk;
 use std::path::{Component, Path, PathBuf};
 
 /// The way out, for messages.
-const WAY_OUT: &str = "move the file into that folder or below; for a model that you trust, allow files elsewhere: `--allow-outside` of the program, `allow_outside=True` in Python, `Reach::Anywhere` in Rust";
+const WAY_OUT: &str = "move the file into that folder or below; for a model that you trust, allow files elsewhere: `--allow-outside` of the program, `allow_outside=True` in Python, `Reach::Anywhere` in Rust, `ancf14_load_trusted_file` in C";
 
 /// Where the files lie that a model names.
 #[derive(Clone, Copy, Debug)]

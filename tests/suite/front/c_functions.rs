@@ -25,6 +25,9 @@ fn mistakes_are_errors() {
     fs::copy(library_path(), here.join(ancf14::fmi::location::LIBRARY)).unwrap();
     fs::write(here.join("arm.toml"), ARM).unwrap();
     fs::write(here.join("bad.toml"), ARM.replace("radius", "diameter")).unwrap();
+    fs::create_dir(here.join("inner")).unwrap();
+    fs::write(here.join("inner/outside.toml"), format!("{ARM}\n[include.more]\nfile = \"../part.toml\"\n")).unwrap();
+    fs::write(here.join("part.toml"), "format = 1\n[point.far]\noffset = [1, 0, 0]\n").unwrap();
     let built = Command::new("cc")
         .current_dir(here)
         .args(["-std=c99", "-g", "-Wall", "-Wextra", "-Werror", "-pedantic", "-L.", "-o", "front_mistakes"])
@@ -35,7 +38,12 @@ fn mistakes_are_errors() {
         .unwrap();
     assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
     let run = |mut command: Command| {
-        let ran = command.env_remove("LD_LIBRARY_PATH").current_dir(here).args(["arm.toml", "bad.toml"]).output();
+        let ran = command.env_remove("LD_LIBRARY_PATH").current_dir(here).args([
+            "arm.toml",
+            "bad.toml",
+            "inner/outside.toml",
+        ]);
+        let ran = ran.output();
         let ran = ran.unwrap();
         assert_eq!(printed(&ran), "all mistakes are errors\n");
         assert_eq!(String::from_utf8_lossy(&ran.stderr), "", "nothing is printed by the library");
