@@ -72,13 +72,14 @@ export class Charts {
     const ink = style.getPropertyValue("--ink-soft").trim();
     const line = style.getPropertyValue("--line").trim();
     const axis = { stroke: ink, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1 }, font: "11px system-ui, sans-serif" };
-    const title = `${group.name.replaceAll("_", " ")}${group.unit ? ` (${group.unit})` : ""}`;
+    const title = `${group.name}${group.unit ? ` (${group.unit})` : ""}`;
     // `along.position.2` has the columns `along.position[1,2]`, ...: what differs is enough.
     const common = group.name.replace(/\.\d+$/, "");
     const end = (name: string) => (name.startsWith(common) ? name.slice(common.length).replace(/^\./, "") : name) || "value";
     // A vector has the components x, y and z; four numbers are a quaternion.
     const isVector = group.columns.length === 3;
-    const label = (name: string) => (isVector && AXES.get(end(name))) || end(name);
+    const isAlong = group.columns.length > 4;
+    const label = (name: string) => (isVector && AXES.get(end(name))) || end(name).replace(/^\[(\d+)(,\d+)?\]$/, (whole, station) => (isAlong ? `station ${station}` : whole));
     const text = (value: number | null) => (value === null ? "–" : plainText(value));
     const same = (column: number) => second?.data.charts.columns.find(({ name, unit }) => name === columns[column].name && unit === columns[column].unit);
     const others = shown.flatMap((column, k) => {

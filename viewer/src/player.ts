@@ -46,6 +46,8 @@ export class Player {
 
   constructor(readonly data: Data, parent: HTMLElement) {
     this.run = new Timeline(instants(data), 8);
+    // Equilibria are followed for the sake of the last one.
+    if (!data.scene.dynamic) this.run.seek(this.run.end);
     this.stage = new Stage(data, parent);
     this.beams = new Beams(data, this.scale);
     this.signs = new Signs(data, this.stage.extent * 0.75, this.stage.up);
@@ -59,7 +61,7 @@ export class Player {
     this.marker.renderOrder = 2;
     this.marker.visible = false;
     this.stage.scene.add(this.beams.group, this.beams.ghosts, this.trails.group, this.marker);
-    this.stage.scene.add(this.signs.bodies, this.signs.joints, this.signs.loads, this.signs.reactions, this.signs.points);
+    this.stage.scene.add(this.signs.bodies, this.signs.joints, this.signs.springs, this.signs.loads, this.signs.reactions, this.signs.points);
     if (this.comparison) this.stage.scene.add(this.comparison.group);
     for (const timeline of [this.run, this.swing]) timeline.onchange(() => this.refresh());
     this.stage.controls.addEventListener("change", () => this.redraw());

@@ -8,6 +8,11 @@ import type { Solid } from "./format";
 const X = new THREE.Vector3(1, 0, 0);
 const COLORS = { body: 0xd8892b, joint: 0x5b6473, ground: 0x8c6d46, spring: 0x2f9e63, force: 0xd63a3a, moment: 0x9a4fd0, reaction: 0x1f9e9e, point: 0x101418, surface: 0x7a8699 };
 
+/** So many springs are drawn at full size. */
+const FULL_SIZED = 12;
+/** Springs that are longer than so many times the machine are drawn as lines. */
+const LONGEST_COIL = 2;
+
 /** Lets a thing be at place number `at` of `places`, turned as `turns` says. */
 function put(thing: THREE.Object3D, at: number, places: Float32Array, turns?: Float32Array): void {
   thing.position.fromArray(places, 3 * at);
@@ -37,9 +42,10 @@ export class Signs {
     const { scene } = data;
     for (const body of scene.bodies) this.bodies.add(solid(body.solid, size));
     for (const joint of scene.joints) this.joints.add(jointSign(joint.kind, joint.grounded, 0.016 * size, up));
-    const coil = springShape(0.018 * size);
-    for (const _ of scene.springs) this.springs.add(new THREE.Mesh(coil, matt(COLORS.spring)));
-    this.joints.add(this.springs);
+    // Many springs would hide what they hold.
+    const coil = springShape(0.018 * size * Math.min(1, Math.sqrt(FULL_SIZED / Math.max(1, scene.springs.length))));
+    const wire = new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(), X]);
+    for (const _ of scene.springs) this.springs.add(springSign(coil, wire));
     this.frames = scene.frames.map(() => new THREE.AxesHelper(0.09 * size));
     for (const frame of this.frames) this.joints.add(frame);
     this.surfaces = (scene.surfaces ?? []).map(({ corners, faces }) => surfaceSign(corners, faces));
@@ -84,7 +90,7 @@ export class Signs {
     this.frames.forEach((frame, k) => put(frame, k, parts["frame.place"], parts["frame.turn"]));
     this.surfaces.forEach((surface, k) => put(surface, k, parts["surface.place"], parts["surface.turn"]));
     this.points.children.forEach((point, k) => put(point, k, parts["point.place"]));
-    this.springs.children.forEach((spring, k) => stretch(spring, parts["spring.a"], parts["spring.b"], k));
+    this.springs.children.forEach((spring, k) => stretch(spring, parts["spring.a"], parts["spring.b"], k, LONGEST_COIL * this.size));
     const ends = this.arms.geometry.attributes.position as THREE.BufferAttribute;
     this.data.scene.joints.forEach((_, k) => {
       for (const [side, from] of [parts["joint.a"], parts["joint.b"]].entries()) {
@@ -209,12 +215,22 @@ function springShape(radius: number): THREE.BufferGeometry {
 const from = new THREE.Vector3();
 const to = new THREE.Vector3();
 
-function stretch(spring: THREE.Object3D, a: Float32Array, b: Float32Array, k: number): void {
+/** A coil, and the line that stands for it where it is very long. */
+function springSign(coil: THREE.BufferGeometry, wire: THREE.BufferGeometry): THREE.Group {
+  const sign = new THREE.Group();
+  sign.add(new THREE.Mesh(coil, matt(COLORS.spring)), new THREE.Line(wire, new THREE.LineBasicMaterial({ color: COLORS.spring, transparent: true, opacity: 0.35 })));
+  return sign;
+}
+
+function stretch(spring: THREE.Object3D, a: Float32Array, b: Float32Array, k: number, longest: number): void {
   from.fromArray(a, 3 * k);
   to.fromArray(b, 3 * k).sub(from);
   const length = to.length();
   spring.position.copy(from);
   spring.scale.set(Math.max(length, 1e-9), 1, 1);
+  const [coil, wire] = spring.children;
+  coil.visible = length <= longest;
+  wire.visible = !coil.visible;
   if (length > 0) spring.quaternion.setFromUnitVectors(X, to.divideScalar(length));
 }
 

@@ -23,6 +23,9 @@ export interface Pose {
   half: number;
 }
 
+/** Springs that are longer than so many times the mechanism lead out of the picture. */
+const FAR_SPRING = 2;
+
 export type View = "iso" | "front" | "side" | "top";
 
 /** Against gravity; z of a model without gravity. */
@@ -38,7 +41,7 @@ export function bounds(data: Data): THREE.Box3 {
   const take = (list: ArrayLike<number>) => {
     for (let at = 0; at + 2 < list.length; at += 3) box.expandByPoint(point.set(list[at], list[at + 1], list[at + 2]));
   };
-  for (const name of ["station.place", "body.place", "joint.place", "spring.a", "spring.b", "frame.place"]) take(data.tracks.get(name)?.values ?? []);
+  for (const name of ["station.place", "body.place", "joint.place", "frame.place"]) take(data.tracks.get(name)?.values ?? []);
   take(data.drawn.place);
   const bodies = data.tracks.get("body.place");
   data.scene.bodies.forEach(({ solid }, body) => {
@@ -47,11 +50,22 @@ export function bounds(data: Data): THREE.Box3 {
       box.expandByPoint(point.clone().addScalar(0.7 * radius(solid))).expandByPoint(point.subScalar(0.7 * radius(solid)));
     }
   });
+  for (const name of ["spring.a", "spring.b"]) takeNear(box, data.tracks.get(name)?.values ?? []);
   if (box.isEmpty()) box.expandByPoint(point.set(0, 0, 0));
   if (data.second) box.union(bounds(data.second.data).translate(shift(data)));
   const size = box.getSize(new THREE.Vector3()).length();
   if (size === 0) box.expandByScalar(data.scene.size / 2);
   return box;
+}
+
+/** Includes the ends of springs, but not those that are so far away that the mechanism could not be seen beside them. */
+function takeNear(box: THREE.Box3, ends: ArrayLike<number>): void {
+  const near = box.isEmpty() ? undefined : box.clone().expandByScalar(FAR_SPRING * box.getSize(new THREE.Vector3()).length());
+  const point = new THREE.Vector3();
+  for (let at = 0; at + 2 < ends.length; at += 3) {
+    point.set(ends[at], ends[at + 1], ends[at + 2]);
+    if (!near || near.containsPoint(point)) box.expandByPoint(point);
+  }
 }
 
 /** Half of the largest extent of a solid, m. */

@@ -143,7 +143,7 @@ export class Page {
       group.visible = on;
       player.refresh();
     };
-    const views = (["iso", "front", "side", "top"] as View[]).map((view, k) => button({ iso: "3D", front: "F", side: "S", top: "T" }[view], `View: ${view === "iso" ? "oblique" : view}`, () => this.view(view), String(k + 1)));
+    const views = (["iso", "front", "side", "top"] as View[]).map((view, k) => button({ iso: "3D", front: "Front", side: "Side", top: "Top" }[view], `View: ${view === "iso" ? "oblique" : view}`, () => this.view(view), String(k + 1)));
     const mode = choice("Show", modes, "", (value) => {
       player.show(value === "" ? undefined : Number(value));
       amplitude.hidden = value === "";
@@ -178,7 +178,9 @@ export class Page {
           player.comparing = on;
           player.refresh();
         }) : undefined,
+        data.scene.bodies.length > 0 ? tick("Bodies", true, show(signs.bodies)) : undefined,
         tick("Joints", true, show(signs.joints)),
+        data.scene.springs.length > 0 ? tick("Springs", true, show(signs.springs)) : undefined,
         data.scene.loads.length > 0 ? tick("Loads", true, show(signs.loads)) : undefined,
         data.tracks.has("joint.force") ? tick("Reactions", false, show(signs.reactions)) : undefined,
         data.scene.points.length > 0 ? tick("Outputs", true, show(signs.points)) : undefined,
