@@ -21,6 +21,17 @@ pub struct Pulled {
 /// A rope of `radius` around a post by `angle`, with eight elements on half a turn, loaded by 100 N at one end and pulled
 /// at the other until it slides.
 pub fn pulled(angle: f64, radius: f64) -> Pulled {
+    let mut simulation = start(&model(angle, radius));
+    run(&mut simulation, 0.02, 1.0, |_| {});
+    Pulled {
+        ratio: vector(&simulation, "high.reaction_force").norm() / 100.0,
+        sliding: value(&simulation, "wrapped.sliding"),
+        wrapped: value(&simulation, "wrapped.wrap_angle"),
+    }
+}
+
+/// The model of [`pulled`].
+pub fn model(angle: f64, radius: f64) -> String {
     let (post, tail, axial) = (POST, 0.15, 1e5);
     let elements = ((angle / PI * 8.0).round() as usize).max(3);
     let ring = post + radius;
@@ -44,7 +55,7 @@ pub fn pulled(angle: f64, radius: f64) -> Pulled {
     // Far enough that all of it slides: three times what stretches the rope, and what friction gives.
     let most = 100.0 * (0.3 * angle).exp();
     let pull = 3.0 * most * (arc + tail) / axial + 0.9 * most / ring / 1e7;
-    let text = format!(
+    format!(
         "format = 1\n[model]\nname = \"Capstan\"\ngravity = [0, 0, 0]\n\
          [section.s]\nshape = \"rigidities\"\nEA = {axial}\nEI_y = 1e-4\nEI_z = 1e-4\nGJ = 1e-4\nline_density = 0.1\n\
          [beam.rope]\nsection = \"s\"\ncurve = {{ x = \"{x}\", y = \"0\", z = \"{z}\", s = [0, {}] }}\nelements = {count}\n\
@@ -59,12 +70,5 @@ pub fn pulled(angle: f64, radius: f64) -> Pulled {
         2.0 * tail + arc,
         end[0],
         end[1]
-    );
-    let mut simulation = start(&text);
-    run(&mut simulation, 0.02, 1.0, |_| {});
-    Pulled {
-        ratio: vector(&simulation, "high.reaction_force").norm() / 100.0,
-        sliding: value(&simulation, "wrapped.sliding"),
-        wrapped: value(&simulation, "wrapped.wrap_angle"),
-    }
+    )
 }

@@ -7,6 +7,7 @@ use crate::math::rotation::carry;
 use crate::math::vectors::set_vec3;
 use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, NODE, P, R, THETA, interpolate};
 use crate::mechanics::beam::ancf14::element::Element;
+use crate::mechanics::contact::pieces::CELLS;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
@@ -55,9 +56,30 @@ impl System {
             }
         }
         copy_all_but_the_mesh(state, from);
+        self.take_memory(&mut state.lists.memory, coarse, &from.lists.memory);
         // Along a beam there is one an element.
         self.set_heats(from.instant(), &from.targets, &mut state.prescribed.heats);
         true
+    }
+}
+
+impl System {
+    /// Sets what the forces of this system remember to what those of `coarse` do: equilibria with friction depend on
+    /// the way to them. Each cell of a contact has the displacement of the one that it is a part of.
+    fn take_memory(&self, memory: &mut [f64], coarse: &Self, from: &[f64]) {
+        for (own, other) in self.springs.iter().zip(&coarse.springs) {
+            if let (Some(own), Some(other)) = (own.memory, other.memory) {
+                memory[own] = from[other];
+            }
+        }
+        for (contact, coarse) in self.contacts.iter().zip(&coarse.contacts) {
+            let (Some(own), Some(other)) = (contact.friction, coarse.friction) else { continue };
+            let parts = contact.elements.len() / coarse.elements.len().max(1);
+            for cell in 0..contact.elements.len() * CELLS {
+                let [to, of] = [own.memory + 3 * cell, other.memory + 3 * (cell / parts)];
+                memory[to..to + 3].copy_from_slice(&from[of..of + 3]);
+            }
+        }
     }
 }
 

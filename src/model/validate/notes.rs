@@ -56,7 +56,7 @@ pub fn notes(document: &Document) -> Vec<String> {
         materials::odd_materials(document),
         slenderness::stubby_beams(document, &lines),
         angles::odd_angles(document),
-        lines::lines(document, &lines),
+        lines::lines(document),
         starts::jumps(document, &lines),
         contacts::coarse_contacts(document, &lines),
         poles::poles(document),

@@ -1,31 +1,13 @@
-//! Lines without stiffness of their own, and beams that water carries without slowing them.
+//! Beams that water carries without slowing them.
 
 use super::Note;
 use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
-use crate::model::file::entries::section::{Rigidities, Shape};
-use crate::model::shape::{Lines, sections, shown};
+use crate::model::shape::sections;
 
-/// Names the rigidity that stands in for one of 0, and beams in water without drag.
-pub(super) fn lines(document: &Document, lines: &Lines) -> Vec<Note> {
-    let beams = || document.beams.iter().enumerate();
-    let soft = beams().filter_map(|(number, beam)| without_stiffness(document, lines, number, beam));
-    let free = beams().filter_map(|(_, beam)| without_drag(document, beam));
-    soft.chain(free).collect()
-}
-
-fn without_stiffness(document: &Document, lines: &Lines, number: usize, beam: &BeamSpec) -> Option<Note> {
-    let section = document.sections.get(beam.section)?;
-    let Shape::Rigidities(Rigidities { bending: [y, z], torsion, .. }) = section.shape else { return None };
-    let least = sections::least_rigidity(document, beam, lines.line(number)?);
-    let none = [y, z, torsion].into_iter().find(|own| document.value(*own) == 0.0).filter(|_| least > 0.0)?;
-    let text = format!(
-        "is 0: beam {} is computed with {} N m2, 1e-7 of its weight times the square of \
-         its longest element",
-        beam.name,
-        shown(least)
-    );
-    Some(Note::of(document, none, &text))
+/// Names beams in water without drag.
+pub(super) fn lines(document: &Document) -> Vec<Note> {
+    document.beams.iter().filter_map(|beam| without_drag(document, beam)).collect()
 }
 
 fn without_drag(document: &Document, beam: &BeamSpec) -> Option<Note> {
