@@ -9,6 +9,7 @@ pub mod curves;
 pub mod golden;
 pub mod integrate;
 pub mod integrators;
+pub mod large;
 pub mod pages;
 pub mod paths;
 pub mod planar_rod;

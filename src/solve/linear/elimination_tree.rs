@@ -4,13 +4,13 @@
 //! Unknowns that blocks never part make a group: the coordinates of a node or of a body, the multipliers of a joint. A
 //! front eliminates one group of coordinates and multipliers that act on it, each in the first front that has
 //! coordinates left for it: what only joints hold has no pivots without them. What is left of a front is added into its
-//! parent, the front of the first unknown of its border. Without masses bodies come last: they have pivots only when
-//! what they are joined to is gone. With masses they may come early too, which keeps fronts small where many hang on
-//! one node.
+//! parent, the front of the first unknown of its border. Bodies come last, or early, which keeps fronts small where
+//! there are many: with masses anywhere, without masses where their joints give them pivots (waiting_bodies.rs).
 
 use super::front::{Front, Indices, Piece, Run, short};
 use super::frontal_matrix::Shape;
 use super::ordering::minimum_degree;
+use super::waiting_bodies::{Unordered, has_room, in_time};
 use crate::math::blocks::Blocks;
 use std::ops::Range;
 
@@ -46,9 +46,12 @@ impl Unknowns {
 /// Conditions that hold a body in all its motions.
 const WELD: usize = 6;
 
-/// Longest column of a front: beams, joints and bodies have some tens, hundreds of bodies on a node without their
-/// masses more than this.
-const LONGEST: usize = 256;
+/// Without masses, how many times fewer multiplications bodies must take early than last: where they are few, one order
+/// is as good as the other, and last they have pivots for sure.
+const WORTHWHILE: u64 = 2;
+
+/// Most values of all factors and of the largest front: 2 GB.
+const MOST_VALUES: u64 = 1 << 28;
 
 /// All fronts, in the order of their elimination; children come before parents.
 #[derive(Debug)]
@@ -171,9 +174,8 @@ fn sort_each(lists: &mut [Vec<usize>]) {
 }
 
 impl Fronts {
-    /// For the pattern of `blocks`. None where there is no such order, since a multiplier acts on nothing, where a
-    /// front becomes so long that a general solver, with its larger dense parts, is faster, or where 32 bits are not
-    /// enough for an index.
+    /// For the pattern of `blocks`. None where there is no such order, since a multiplier acts on nothing, or where the
+    /// fronts need too much memory.
     pub fn new(kinds: Unknowns, blocks: &Blocks) -> Option<Self> {
         let groups = Groups::new(kinds.count(), blocks);
         let multipliers = groups.starts.partition_point(|start| *start < kinds.coordinates())..groups.count();
@@ -184,14 +186,24 @@ impl Fronts {
         weigh_bodies(&mut graph, bodies);
         let mut order = minimum_degree(&graph)?;
         order.retain(|group| *group < coordinates);
-        let in_order = |list: &[usize]| Order::new(&groups, &links, list, multipliers.clone());
-        let early = (kinds.inertia && bodies < coordinates).then(|| in_order(&order));
+        let in_order = |list: &[usize], filled, most| Order::new(&groups, &links, list, filled, most);
+        // Groups that a joint may hold in all their motions, and how much worse a later order may be.
+        let none = coordinates..coordinates;
+        let (early, least) = if bodies == coordinates {
+            (None, 1)
+        } else if kinds.inertia {
+            (in_order(&order, none.clone(), u64::MAX), 1)
+        } else {
+            let lengths: Vec<usize> = (0..groups.count()).map(|group| groups.unknowns(group).len()).collect();
+            let unordered = Unordered { bodies, multipliers, links: &links, lengths: &lengths };
+            (in_order(&in_time(&unordered, &order), bodies..coordinates, u64::MAX), WORTHWHILE)
+        };
         order.sort_by_key(|group| *group >= bodies);
-        let late = in_order(&order);
-        let order = early.filter(|early| early.operations() < late.operations()).unwrap_or(late);
+        let most = early.as_ref().map_or(u64::MAX, |early| early.operations.saturating_mul(least));
+        let order = in_order(&order, none, most).or(early)?;
         let fronts = Self::with_order(&order, blocks);
         let most = fronts.storage.max(fronts.rests).max(blocks.values().len());
-        (fronts.longest <= LONGEST && u32::try_from(most).is_ok()).then_some(fronts)
+        u32::try_from(most).is_ok().then_some(fronts)
     }
 
     fn with_order(order: &Order<'_>, blocks: &Blocks) -> Self {
@@ -331,11 +343,16 @@ struct Order<'a> {
     borders: Vec<Vec<usize>>,
     /// Fronts whose rest goes into each.
     children: Vec<Vec<usize>>,
+    /// Multiplications that an elimination takes.
+    operations: u64,
 }
 
 impl<'a> Order<'a> {
-    /// Of the groups of coordinates in the order `list`; `links` are the neighbors of each group.
-    fn new(groups: &'a Groups, links: &[Vec<usize>], list: &[usize], multipliers: Range<usize>) -> Self {
+    /// Of the groups of coordinates in the order `list`; `links` are the neighbors of each group, `filled` the groups
+    /// that one joint may hold in all their motions. None where an elimination takes more than `most` multiplications
+    /// or too much memory.
+    fn new(groups: &'a Groups, links: &[Vec<usize>], list: &[usize], filled: Range<usize>, most: u64) -> Option<Self> {
+        let multipliers = list.len()..groups.count();
         let mut front_of = vec![0; groups.count()];
         list.iter().enumerate().for_each(|(front, group)| front_of[*group] = front);
         let mut members: Vec<Vec<usize>> = list.iter().map(|group| vec![*group]).collect();
@@ -349,8 +366,9 @@ impl<'a> Order<'a> {
             // One that keeps a coordinate to itself. With as many conditions as coordinates there may be no pivot: a
             // rod between two balls turns about itself all the same. Only a weld is sure to hold all.
             let roomy = |least: usize| tied.iter().find(|front| rooms[**front] >= least);
+            let taken = |front: &&usize| has_room(rooms[**front], rows, filled.contains(&list[**front]));
             let exact = roomy(rows).filter(|_| rows == WELD);
-            let host = roomy(rows + 1).or(exact).or(tied.last()).copied().unwrap_or_default();
+            let host = tied.iter().find(taken).or(exact).or(tied.last()).copied().unwrap_or_default();
             rooms[host] = rooms[host].saturating_sub(rows);
             front_of[multiplier] = host;
             members[host].push(multiplier);
@@ -363,6 +381,8 @@ impl<'a> Order<'a> {
         // What is eliminated later: neighbors in the matrix, and what children leave.
         let mut borders: Vec<Vec<usize>> = vec![Vec::new(); list.len()];
         let mut children: Vec<Vec<usize>> = vec![Vec::new(); list.len()];
+        let length = |list: &[usize]| -> u64 { list.iter().map(|group| groups.unknowns(*group).len() as u64).sum() };
+        let (mut operations, mut values) = (0_u64, 0);
         for front in 0..list.len() {
             let own = members[front].iter().flat_map(|group| &links[*group]);
             let left = children[front].iter().flat_map(|child| &borders[*child]);
@@ -372,21 +392,16 @@ impl<'a> Order<'a> {
             if let Some(first) = border.first() {
                 children[front_of[*first]].push(front);
             }
+            let (pivots, below) = (length(&members[front]), length(&border));
+            operations = operations.saturating_add((below..below + pivots).map(|left| left * left).sum());
+            values += pivots * (pivots + 2 * below);
+            let is_too_large = values + below * below > MOST_VALUES || pivots > u64::from(u16::MAX);
+            if operations > most || is_too_large {
+                return None;
+            }
             borders[front] = border;
         }
-        Self { groups, front_of, renumbered, members, borders, children }
-    }
-
-    /// Multiplications that an elimination takes.
-    fn operations(&self) -> usize {
-        let length = |list: &[usize]| -> usize { list.iter().map(|group| self.groups.unknowns(*group).len()).sum() };
-        let fronts = self.members.iter().zip(&self.borders);
-        fronts
-            .map(|(own, border)| {
-                let (pivots, border) = (length(own), length(border));
-                (border..border + pivots).map(|left| left * left).sum::<usize>()
-            })
-            .sum()
+        Some(Self { groups, front_of, renumbered, members, borders, children, operations })
     }
 
     /// The front that gets what is left of another one.

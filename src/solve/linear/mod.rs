@@ -15,6 +15,7 @@ pub mod sparse_ldl;
 pub mod sparse_lu;
 mod transposed;
 pub mod units;
+mod waiting_bodies;
 
 /// Refinement steps at most; one restores the digits that stiff beams cost, the others are for near-singular systems.
 pub(super) const REFINEMENTS: usize = 4;

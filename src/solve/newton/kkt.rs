@@ -1,6 +1,7 @@
 //! The constrained linear system `[A Bᵀ; C 0] [x; y] = [f; g]`: coordinates first, then one row a constraint condition.
 
 use super::definite::Definite;
+use super::yielding::stiffnesses;
 use crate::error::Error;
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::constraint::joint::{Joint, JointGradient};
@@ -234,6 +235,7 @@ impl Kkt {
         });
         let Some(definite) = definite else { return false };
         definite.take(&self.blocks);
+        let springs = stiffnesses(system, &self.blocks, &self.joints, |index| self.solver.scale(index));
         for ((joint, rows), first) in system.joints_with_rows().zip(&self.joints) {
             let sides = [(&joint.a, first + 2), (&joint.b, first + 3)];
             let sides = sides.map(|(marker, block)| (marker.coordinates(&system.mesh), self.blocks.block(block)));
@@ -241,7 +243,7 @@ impl Kkt {
                 let gradient = sides.iter().flat_map(|(range, values)| {
                     range.clone().zip(values.iter().skip(condition).step_by(rows.len()).copied())
                 });
-                definite.add_spring(gradient, self.solver.scale(coordinates + row).powi(2) / YIELDING);
+                definite.add_spring(gradient, springs[row] / YIELDING);
             }
         }
         definite.is_definite()
@@ -266,7 +268,8 @@ impl Kkt {
         }
         // Only the conditions of gears are between their sides.
         (kept.len()..blocks.layout().len()).for_each(|number| blocks.block_mut(number).fill(0.0));
-        let stiffness = |condition: usize| self.solver.scale(system.coordinates() + condition).powi(2) / YIELDING;
+        let springs = stiffnesses(system, &self.blocks, &self.joints, |index| self.solver.scale(index));
+        let stiffness = |condition: usize| springs[condition] / YIELDING;
         // Rows of a and of b; the four blocks of the joint's stiffness are aa, ab, ba, bb.
         let sides = |joint: usize| [2, 3].map(|side| self.blocks.block(self.joints[joint] + side));
         let mut second_sides = gears.iter().peekable();

@@ -4,6 +4,7 @@ mod definite;
 pub mod kkt;
 pub mod prediction;
 pub mod refinement;
+mod yielding;
 
 use self::kkt::Kkt;
 use crate::error::Error;

@@ -10,6 +10,7 @@ pub mod energies_of_parts;
 pub mod energy_account;
 pub mod generalized_alpha;
 pub mod generalized_alpha_steps;
+mod large_machines;
 mod linearization;
 pub mod midpoint_steps;
 mod mode_damping;
