@@ -54,6 +54,9 @@ pub struct SystemBuilder {
     q: Vec<f64>,
     velocity: Vec<f64>,
     triads: Vec<Triad>,
+    /// Frames of nodes and holonomies of elements as drawn: parts of the file ask for a point again and again.
+    frames: Vec<NodeFrame>,
+    holonomy: Vec<f64>,
     /// Welds of corners, rigidity of tied sections.
     inner_joints: Vec<Joint>,
     /// Whether the section of a node has been made rigid, by its number; beyond the end: not.
@@ -142,6 +145,7 @@ impl SystemBuilder {
                 self.q.push(theta);
                 self.velocity.push(spin.dot(&station.tangent));
                 self.triads.push(*triad);
+                self.frames.push(NodeFrame::new(&self.q[start..], triad));
                 self.system.mesh.framed.push(start);
                 Node::Ancf14 { start, frame: self.triads.len() - 1 }
             }
@@ -171,13 +175,11 @@ impl SystemBuilder {
         let reference = &self.q[start..mesh.nodes[node + 1].coordinates().end];
         match design.elements {
             Elements::Ancf14 { strain, twist, torsion } => {
-                let (first, second) = reference.split_at(ancf14::coordinates::NODE);
-                let [first, second] =
-                    [(first, frame), (second, frame + 1)].map(|(q, frame)| NodeFrame::new(q, &self.triads[frame]));
                 let place = ancf14::element::Place { start, frame, branch: mesh.branches };
                 mesh.branches += 1;
+                self.holonomy.push(0.0);
                 let stiffness = design.stiffness(strain, twist, torsion);
-                let (densities, frames) = (design.densities(), [&first, &second]);
+                let (densities, frames) = (design.densities(), [frame, frame + 1].map(|frame| &self.frames[frame]));
                 // The holonomy of the drawing is 0: triads go from node to node by one minimal rotation.
                 let element =
                     ancf14::element::Element::new(place, length, stiffness, densities, reference, frames, 0.0);
@@ -319,8 +321,7 @@ impl SystemBuilder {
 
     /// Position and axes of a marker as drawn.
     pub fn drawn(&self, marker: &Marker) -> Pose {
-        let holonomy = vec![0.0; self.system.mesh.branches];
-        marker.pose(&self.configuration(&self.frames(), &holonomy))
+        marker.pose(&self.configuration())
     }
 
     /// Adds a joint and returns its number.
@@ -393,9 +394,7 @@ impl SystemBuilder {
 
     /// Largest extent of nodes, bodies and joints as drawn, m, or of a body's own size; 1 of nothing at all.
     fn extent(&self) -> f64 {
-        let frames = self.frames();
-        let holonomy = vec![0.0; self.system.mesh.branches];
-        let configuration = self.configuration(&frames, &holonomy);
+        let configuration = self.configuration();
         let (mut low, mut high) = (Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY));
         let nodes = self.system.mesh.nodes.iter().map(|node| node.place(&self.q));
         let bodies = self.system.bodies.iter().map(|body| vec3(&self.q, body.start));
@@ -409,13 +408,8 @@ impl SystemBuilder {
         if size.is_finite() && size > 0.0 { size } else { 1.0 }
     }
 
-    fn frames(&self) -> Vec<NodeFrame> {
-        let mut frames = Vec::new();
-        self.system.mesh.set_frames(&self.q, &self.triads, &mut frames);
-        frames
-    }
-
-    fn configuration<'a>(&'a self, frames: &'a [NodeFrame], holonomy: &'a [f64]) -> Configuration<'a> {
+    fn configuration(&self) -> Configuration<'_> {
+        let (frames, holonomy) = (&self.frames[..], &self.holonomy[..]);
         Configuration {
             beams: BeamConfiguration { q: &self.q, frames, holonomy, heats: &self.prescribed.heats, drives: &[] },
             relative_values: &[],

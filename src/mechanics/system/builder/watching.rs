@@ -14,8 +14,7 @@ impl SystemBuilder {
     /// Adds a sensor on `marker` and returns its number; `on_beam` is the beam and the fraction of its length where it
     /// is a point of one.
     pub fn watch(&mut self, marker: Marker, on_beam: Option<(usize, f64)>) -> usize {
-        let holonomy = vec![0.0; self.system.mesh.branches];
-        let sensor = Sensor::new(&self.system.beams, &self.configuration(&self.frames(), &holonomy), marker, on_beam);
+        let sensor = Sensor::new(&self.system.beams, &self.configuration(), marker, on_beam);
         self.system.sensors.push(sensor);
         self.system.sensors.len() - 1
     }
@@ -32,8 +31,7 @@ impl SystemBuilder {
 
     /// Lets an observer who moves with `marker` look at sensor `number`.
     pub fn observe(&mut self, number: usize, marker: Marker) {
-        let holonomy = vec![0.0; self.system.mesh.branches];
-        let observer = Observer::new(&self.configuration(&self.frames(), &holonomy), marker);
+        let observer = Observer::new(&self.configuration(), marker);
         self.system.sensors[number].observer = Some(observer);
     }
 }
