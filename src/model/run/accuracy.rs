@@ -13,6 +13,7 @@ use crate::model::variables::Table;
 use crate::solve::step::response::Responder;
 use crate::solve::step::spare::Spare;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Results are looked at again after this many steps: what a look costs is little beside them.
 const STEPS: u64 = 8;
@@ -120,16 +121,18 @@ impl Columns {
     /// Those of `table`.
     pub fn new(table: &Table) -> Self {
         let (mut columns, mut families) = (Vec::new(), Vec::<Family>::new());
-        for (result, (own, unit)) in table.results.iter().enumerate() {
-            let quantity = table.quantity_of(result);
+        let (quantities, is_shown) = (table.quantities_of_results(), table.shown_results());
+        let mut known = BTreeMap::new();
+        for (result, ((own, unit), quantity)) in table.results.iter().zip(&quantities).enumerate() {
+            let quantity = *quantity;
             let name = scale::family(own);
             if quantity.is_none() && !matches!(name, scale::ENERGY | PARAMETER) {
                 continue;
             }
-            let family = families.iter().position(|own| own.name == name).unwrap_or_else(|| {
+            let family = *known.entry(name).or_insert_with(|| {
                 let is_rough = quantity.is_some_and(Quantity::is_rough);
                 let is_quaternion = quantity == Some(Quantity::Quaternion);
-                let is_shown = table.is_shown(result);
+                let is_shown = is_shown[result];
                 let order = if quantity.is_none_or(Quantity::is_configuration) { ORDER } else { ORDER_OF_RATES };
                 families.push(Family {
                     name: name.to_owned(),
@@ -143,7 +146,7 @@ impl Columns {
             });
             columns.push(Column { result, family, from_zero: scale::counts_from_zero(own) });
         }
-        let rotations = columns.iter().filter(|column| table.quantity_of(column.result) == Some(Quantity::Rotation));
+        let rotations = columns.iter().filter(|column| quantities[column.result] == Some(Quantity::Rotation));
         let rotations = rotations.step_by(3).map(|column| column.result).collect();
         Self { columns, families, rotations }
     }

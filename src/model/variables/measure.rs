@@ -67,4 +67,15 @@ impl Measure {
             Self::Statistics => 3,
         }
     }
+
+    /// The quantity of an output; none: an energy, a momentum, a count.
+    pub fn quantity(&self) -> Option<Quantity> {
+        match self {
+            Self::Sensors(_, quantity)
+            | Self::Frame(_, quantity)
+            | Self::Connection(.., quantity)
+            | Self::Whole(_, quantity) => Some(*quantity),
+            Self::Energy | Self::Account(_) | Self::Momentum | Self::Path | Self::Statistics => None,
+        }
+    }
 }

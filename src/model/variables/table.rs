@@ -241,15 +241,12 @@ impl Table {
         })
     }
 
-    /// The quantity that a result belongs to; none: an energy, a momentum, a count.
-    pub fn quantity_of(&self, result: usize) -> Option<Quantity> {
-        match self.measure_of(result)? {
-            Measure::Sensors(_, quantity)
-            | Measure::Frame(_, quantity)
-            | Measure::Connection(.., quantity)
-            | Measure::Whole(_, quantity) => Some(*quantity),
-            Measure::Energy | Measure::Account(_) | Measure::Momentum | Measure::Path | Measure::Statistics => None,
-        }
+    /// The quantity that each result belongs to; none: an energy, a momentum, a count.
+    pub fn quantities_of_results(&self) -> Vec<Option<Quantity>> {
+        let each = self.measures.iter().flat_map(|measure| std::iter::repeat_n(measure.quantity(), measure.results()));
+        let mut quantities: Vec<_> = each.collect();
+        quantities.resize(self.results.len(), None);
+        quantities
     }
 
     /// The fibers of all sensors that bear most at a moment, for [`Moment::fibers`]; none where no stress is told.
@@ -310,9 +307,15 @@ impl Table {
         self.sources.iter().position(is_result).unwrap_or(self.sources.len())
     }
 
-    /// Whether a result is a variable: those of the whole mechanism may be left out.
-    pub fn is_shown(&self, result: usize) -> bool {
-        self.sources.contains(&Source::Result(result))
+    /// Whether each result is a variable: those of the whole mechanism may be left out.
+    pub fn shown_results(&self) -> Vec<bool> {
+        let mut is_shown = vec![false; self.results.len()];
+        for source in &self.sources {
+            if let Source::Result(result) = source {
+                is_shown[*result] = true;
+            }
+        }
+        is_shown
     }
 
     /// Rows of one quantity: `name`, or `name[1]` and so on.
