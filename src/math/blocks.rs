@@ -122,33 +122,40 @@ impl Blocks {
         }
     }
 
-    /// The symmetric part, where blocks off the diagonal come in pairs that are each other's transposes, but for
-    /// mirrored ones.
+    /// The symmetric part: [`Self::symmetrize`].
     #[must_use]
     pub fn symmetric_part(&self) -> Self {
         let mut sum = self.clone();
-        for (block, start) in self.layout.iter().zip(&self.offsets) {
+        sum.symmetrize();
+        sum
+    }
+
+    /// Becomes its symmetric part, where blocks off the diagonal come in pairs that are each other's transposes, but
+    /// for mirrored ones.
+    pub fn symmetrize(&mut self) {
+        let Self { layout, offsets, values, mirrored } = self;
+        let mut set_mean = |own: usize, other: usize| {
+            let mean = 0.5 * (values[own] + values[other]);
+            (values[own], values[other]) = (mean, mean);
+        };
+        for (block, start) in layout.iter().zip(&*offsets) {
             if block.row == block.column && block.rows == block.columns {
                 for column in 0..block.columns {
-                    for row in 0..block.rows {
-                        let (own, other) = (start + column * block.rows + row, start + row * block.rows + column);
-                        sum.values[own] = 0.5 * (self.values[own] + self.values[other]);
+                    for row in 0..column {
+                        set_mean(start + column * block.rows + row, start + row * block.rows + column);
                     }
                 }
             }
         }
-        for number in &self.mirrored {
-            let Block { rows, columns, .. } = self.layout[*number];
-            let [first, second] = [self.offsets[*number], self.offsets[number + 1]];
+        for number in mirrored {
+            let Block { rows, columns, .. } = layout[*number];
+            let [first, second] = [offsets[*number], offsets[*number + 1]];
             for column in 0..columns {
                 for row in 0..rows {
-                    let (own, other) = (first + column * rows + row, second + row * columns + column);
-                    let mean = 0.5 * (self.values[own] + self.values[other]);
-                    (sum.values[own], sum.values[other]) = (mean, mean);
+                    set_mean(first + column * rows + row, second + row * columns + column);
                 }
             }
         }
-        sum
     }
 
     /// `aᵀ self b` of the leading part that the vectors belong to.

@@ -6,6 +6,7 @@
 //! singular `K`, unstable ones an indefinite one.
 
 pub mod damping;
+pub mod slowest;
 pub mod subspace;
 
 use self::subspace::{Subspace, combination, dot};
@@ -98,9 +99,7 @@ pub struct Modes {
 /// The constraints are redundant, a number is not finite, or the sweeps do not converge.
 pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Error> {
     let time = state.time;
-    let mut rest = state.clone();
-    rest.velocity.fill(0.0);
-    rest.prescribed.stop();
+    let rest = at_rest(state);
     let mut response = Response::default();
     Responder::new(system).respond(system, &rest, &mut response)?;
     let mut kkt = Kkt::for_equilibria(system);
@@ -167,6 +166,14 @@ pub fn modes(system: &System, state: &State, count: usize) -> Result<Modes, Erro
     Ok(Modes { modes, freedoms, imbalance, skewness })
 }
 
+/// `state` at rest.
+fn at_rest(state: &State) -> State {
+    let mut rest = state.clone();
+    rest.velocity.fill(0.0);
+    rest.prescribed.stop();
+    rest
+}
+
 /// Factorizes `K + μ M` with the least `μ` of `shift`, ten times it, and so on, with which no motion releases energy,
 /// and returns it: the block then finds the lowest modes first, however unstable, and misses none.
 ///
@@ -215,6 +222,12 @@ fn size(system: &System, index: usize) -> f64 {
 /// Sets the blocks of `kkt` to stiffness and constraints at `state`, whose constraints transmit `multipliers`; returns
 /// them.
 pub(in crate::solve) fn linearize(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt) -> Blocks {
+    set_stiffness(system, state, multipliers, kkt);
+    kkt.blocks.clone()
+}
+
+/// As [`linearize`], but for what it returns.
+fn set_stiffness(system: &System, state: &State, multipliers: &[f64], kkt: &mut Kkt) {
     let (mut snapshot, mut excitation) = (FrameCache::default(), Excitation::default());
     let configuration = snapshot.of(system, state);
     system.excite(state.time, &state.targets, &mut excitation);
@@ -222,7 +235,6 @@ pub(in crate::solve) fn linearize(system: &System, state: &State, multipliers: &
     system.forces_and_tangent(&configuration, &Passage::Rest, &excitation, 1.0, &mut forces, &mut kkt.blocks);
     kkt.set_curvatures_and_gradients(system, &configuration, multipliers, 1.0, &mut gradients);
     kkt.set_constraints(system, &gradients, &gradients, 1.0);
-    kkt.blocks.clone()
 }
 
 /// `ω²` of a motion without pattern, if nothing canceled, 1/s²: by the stiffness, and by what the forces that act, of
