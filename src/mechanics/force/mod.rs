@@ -3,6 +3,7 @@
 pub mod actuator;
 pub mod dry_friction;
 pub mod effort_law;
+pub mod foundation;
 pub mod law;
 pub mod load;
 pub mod spring;

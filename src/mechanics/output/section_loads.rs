@@ -8,6 +8,8 @@ use super::joint_loads::{JointLoads, Side};
 use crate::math::Vec3;
 use crate::math::quadrature::shares_of_three;
 use crate::math::rotation::rotation_matrix;
+use crate::math::vectors::add_vec3;
+use crate::mechanics::beam::ancf14::coordinates::SHAPE_PLACES;
 use crate::mechanics::beam::ancf14::element::Element;
 use crate::mechanics::beam::ancf14::fluid_load::{Moving, Surroundings};
 use crate::mechanics::beam::balance::{Acting, Balance, Instant};
@@ -82,6 +84,11 @@ impl SectionLoads<'_> {
         system.each_touch_of(element, c, passage, |xi, [force, moment]| {
             let jacobian = own.section_jacobian(&c.beams, xi);
             add((jacobian.place_q.tr_mul(&force) + jacobian.turn_q.tr_mul(&moment)).as_slice(), &mut inside);
+        });
+        system.each_bearing_on(element, c, passage, 1.0, |bearing| {
+            for (weight, start) in bearing.weights.iter().zip(SHAPE_PLACES) {
+                add_vec3(&mut inside, start, &(bearing.force * *weight));
+            }
         });
         self.in_water(element, |own, water, moving| {
             own.add_water(water, moving, 1.0, &mut inside);
@@ -169,6 +176,10 @@ impl ElementBalance<'_> {
                 let position = system.mesh.elements[self.element].axis_point(own, c.beams.q);
                 Acting { position, force, moment }.add_about(&here, 1.0, &mut sum);
             }
+        });
+        system.each_bearing_on(self.element, c, passage, xi, |bearing| {
+            let position = system.mesh.elements[self.element].axis_point(bearing.xi, c.beams.q);
+            Acting { position, force: bearing.force, moment: Vec3::zeros() }.add_about(&here, 1.0, &mut sum);
         });
         if xi > 0.0 {
             self.loads.in_water(self.element, |own, water, moving| {

@@ -1,6 +1,7 @@
 //! Puts a system together: beams as drawn become nodes, elements and reference frames; points of them become markers.
 
 mod driving;
+mod foundations;
 mod heating;
 mod watching;
 

@@ -27,11 +27,12 @@ impl System {
         self.with_stored_energy(self.mesh.elements.iter().map(|element| element.energy(&c.beams)).sum(), c)
     }
 
-    /// The strain energy `beams` of the beams, J, and that of springs and contacts.
+    /// The strain energy `beams` of the beams, J, and that of springs, contacts and foundations.
     pub(super) fn with_stored_energy(&self, beams: f64, c: &Configuration) -> f64 {
         let energy = |spring: &Spring| spring.energy(&self.relative_coordinates[spring.coordinate], c);
         let whole = self.springs.iter().fold(beams, |sum, spring| sum + energy(spring));
-        if self.contacts.is_empty() { whole } else { whole + self.contact_energy(c) }
+        let whole = if self.contacts.is_empty() { whole } else { whole + self.contact_energy(c) };
+        if self.foundations.is_empty() { whole } else { whole + self.foundation_energy(c) }
     }
 
     /// Kinetic energy with the velocities `velocity` at `c`, J.

@@ -66,6 +66,7 @@ impl System {
         }
         self.add_springs(c, passage, forces);
         self.add_contact_forces(c, passage, forces);
+        self.add_foundation_forces(c, passage, 1.0, forces);
         self.add_water(c, passage, excitation, 1.0, forces);
     }
 
@@ -99,6 +100,7 @@ impl System {
         self.set_spring_tangent(c, passage, scale, tangent);
         self.set_effort_tangent(c, passage, excitation, scale, tangent);
         self.add_contacts_and_set_tangent(c, passage, scale, forces, tangent);
+        self.add_foundations_and_tangent(c, passage, scale, forces, tangent);
         self.add_water_and_tangent(c, passage, excitation, scale, forces, tangent);
     }
 

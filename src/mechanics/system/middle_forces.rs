@@ -57,6 +57,7 @@ impl System {
             || self.loads.iter().any(Load::may_turn)
             || self.springs.iter().any(|own| !own.is_idle())
             || !self.contacts.is_empty()
+            || !self.foundations.is_empty()
     }
 
     /// The frames of nodes that these forces depend on, by their numbers.
@@ -90,8 +91,12 @@ impl System {
             Sight::Step(step) => {
                 let passage = Passage::Step(TimeStep { duration: f64::INFINITY, ..*step });
                 self.add_normal_forces(c, &passage, factor, forces);
+                self.add_foundation_forces(c, &passage, factor, forces);
             }
-            Sight::Middle(_) => self.add_normal_forces(c, &Passage::Rest, factor, forces),
+            Sight::Middle(_) => {
+                self.add_normal_forces(c, &Passage::Rest, factor, forces);
+                self.add_foundation_forces(c, &Passage::Rest, factor, forces);
+            }
         }
         let mut take = |marker: &Marker, part: &MarkerVector, factor: f64| {
             let range = marker.coordinates(&self.mesh);

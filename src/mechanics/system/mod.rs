@@ -8,6 +8,7 @@ mod efforts;
 pub mod energy;
 mod equations;
 mod finer;
+mod foundations;
 pub mod frame_cache;
 pub mod gyroscopic;
 mod heating;
@@ -48,6 +49,7 @@ use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::contact::Contact;
 use crate::mechanics::force::actuator::Actuator;
+use crate::mechanics::force::foundation::Foundation;
 use crate::mechanics::force::load::{Direction, Load, Site};
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
@@ -103,6 +105,8 @@ pub struct System {
     pub actuators: Vec<Actuator>,
     /// Contacts of beams with surfaces, in file order.
     pub contacts: Vec<Contact>,
+    /// Elastic foundations, in file order.
+    pub foundations: Vec<Foundation>,
     /// Watched points in the order of their adding.
     pub sensors: Vec<Sensor>,
     /// Largest extent of the system as drawn, m: what lengths are compared with.
@@ -237,6 +241,7 @@ impl System {
     pub fn is_damped(&self) -> bool {
         self.springs.iter().any(Spring::is_damped)
             || self.contacts.iter().any(|contact| contact.law.damping != 0.0)
+            || self.foundations.iter().any(|own| own.bedding.is_damped())
             || self.has_material_damping()
             || self.has_material_damping()
             || self.has_mass_damping()

@@ -103,6 +103,10 @@ impl System {
         found.work += contacts.by_frames - contacts.dissipated;
         found.by_frames += contacts.by_frames;
         found.dissipated += contacts.dissipated;
+        let [elastic, taken] = self.finish_foundations(c, step, forces);
+        found.elastic += elastic;
+        found.work -= taken;
+        found.dissipated += taken;
         if self.water.is_some() {
             found.by_water = self.add_water_with_work(c, &passage, excitation, step.increment, forces);
             found.work += found.by_water;

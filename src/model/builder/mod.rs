@@ -3,6 +3,7 @@
 //! A file a kind of part; what may change while the system runs is in tune.rs.
 
 mod contacts;
+mod foundations;
 mod heat;
 mod joints;
 mod origin;
@@ -84,6 +85,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     document.locks.iter().for_each(|lock| builder.add_lock(lock));
     document.gears.iter().for_each(|gear| builder.add_gear(gear));
     document.contacts.iter().enumerate().for_each(|(number, contact)| builder.add_contact(number, contact));
+    document.foundations.iter().for_each(|foundation| builder.add_foundation(foundation));
     document.loads.iter().for_each(|load| builder.add_load(load));
     document.outputs.iter().for_each(|output| builder.add_sensors(output));
     if !builder.mistakes.is_empty() {

@@ -153,7 +153,7 @@ impl Rows {
 
 const POINT: Rows = Rows(&[At(Kind::Beam), At(Kind::Body), At(Kind::Frame), At(Kind::Point)]);
 const BEAM: Rows = Rows(&[At(Kind::Beam)]);
-const HOLD: Rows = Rows(&[At(Kind::Joint), At(Kind::Frame), At(Kind::Contact)]);
+const HOLD: Rows = Rows(&[At(Kind::Joint), At(Kind::Frame), At(Kind::Contact), At(Kind::Foundation)]);
 const FREE: Rows = Rows(&[
     At(Kind::Joint),
     At(Kind::Drive),
@@ -175,7 +175,7 @@ const EFFORT: Rows = Rows(&[
 const POWER: Rows =
     Rows(&[At(Kind::Drive), At(Kind::Actuator), At(Kind::Gear), At(Kind::Spring), At(Kind::Friction), At(Kind::Stop)]);
 const SPRING: Rows = Rows(&[At(Kind::Spring)]);
-const STORE: Rows = Rows(&[At(Kind::Spring), At(Kind::Stop), At(Kind::Joint), At(Kind::Contact)]);
+const STORE: Rows = Rows(&[At(Kind::Spring), At(Kind::Stop), At(Kind::Joint), At(Kind::Contact), At(Kind::Foundation)]);
 const TOUCH: Rows = Rows(&[At(Kind::Contact)]);
 const MASS: Rows = Rows(&[Whole(Kind::Beam), Whole(Kind::Body)]);
 const WHOLE_BEAM: Rows = Rows(&[Whole(Kind::Beam)]);

@@ -102,6 +102,10 @@ impl Motion {
         }
         let is_follower =
             entries.iter().any(|entry| entry.key == "follower" && matches!(entry.item.node, Node::Boolean(true)));
+        // Numbers along the axes of sections turn with the beam.
+        let is_of_section = entries
+            .iter()
+            .any(|entry| entry.key == "axes" && matches!(&entry.item.node, Node::Text(word) if word == "section"));
         if !self.keeps_directions() {
             add_defaults(section, place, entries);
         }
@@ -115,7 +119,7 @@ impl Motion {
                 // are.
                 Role::Offset if on_frame => self.move_list(&mut entry.item, false)?,
                 Role::Direction if !is_follower => self.move_list(&mut entry.item, false)?,
-                Role::AlongAxes => self.turn_diagonal(&mut entry.item)?,
+                Role::AlongAxes if !is_of_section => self.turn_diagonal(&mut entry.item)?,
                 Role::Axes => self.move_rows(&mut entry.item, false)?,
                 Role::Curve => self.move_curve(&mut entry.item)?,
                 _ => {}

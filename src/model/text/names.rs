@@ -28,13 +28,14 @@ pub enum Kind {
     Lock,
     Surface,
     Contact,
+    Foundation,
     Load,
     Wave,
     Output,
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 21] = [
+pub const SECTIONS: [(&str, Kind); 22] = [
     ("function", Kind::Function),
     ("material", Kind::Material),
     ("section", Kind::Section),
@@ -53,6 +54,7 @@ pub const SECTIONS: [(&str, Kind); 21] = [
     ("lock", Kind::Lock),
     ("surface", Kind::Surface),
     ("contact", Kind::Contact),
+    ("foundation", Kind::Foundation),
     ("load", Kind::Load),
     ("wave", Kind::Wave),
     ("output", Kind::Output),
@@ -67,7 +69,7 @@ impl Kind {
     /// Whether it holds places together or acts on them: only outputs refer to places and to these by one key.
     pub fn is_connection(self) -> bool {
         use Kind::*;
-        matches!(self, Joint | Drive | Actuator | Gear | Spring | Friction | Stop | Lock | Contact)
+        matches!(self, Joint | Drive | Actuator | Gear | Spring | Friction | Stop | Lock | Contact | Foundation)
     }
 
     /// Whether the solver knows it by its name.

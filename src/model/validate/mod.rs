@@ -4,6 +4,7 @@
 //! A number that is wrong itself is reported elsewhere: what hangs on it is passed over here.
 
 mod contacts;
+mod foundations;
 mod heat;
 mod meshes;
 pub mod notes;
@@ -121,6 +122,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
     }
     document.winches.iter().for_each(|winch| checker.check_winch(winch));
     document.contacts.iter().for_each(|contact| checker.check_contact(contact));
+    document.foundations.iter().for_each(|foundation| checker.check_foundation(foundation));
     checker.check_water();
     document.gears.iter().for_each(|gear| checker.check_ratio(gear));
     document.stops.iter().for_each(|stop| checker.check_limits(stop));

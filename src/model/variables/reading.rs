@@ -192,6 +192,21 @@ pub(super) fn push_contact(
     });
 }
 
+/// Appends a quantity of a foundation.
+pub(super) fn push_foundation(
+    values: &mut Vec<f64>,
+    number: usize,
+    quantity: Quantity,
+    moment: &Moment,
+    loads: &JointLoads,
+) {
+    let found = moment.system.foundation_loads(number, loads.c, loads.passage);
+    match quantity {
+        Quantity::Energy => values.push(found.energy),
+        _ => push_wrench(values, (found.force, found.moment), quantity),
+    }
+}
+
 /// A quantity of a drive, a lock, an actuator, a gear or a spring: its effort and power, or its coordinate.
 pub(super) fn of_connection(kind: Kind, number: usize, quantity: Quantity, moment: &Moment, loads: &JointLoads) -> f64 {
     let Moment { system, state, .. } = *moment;

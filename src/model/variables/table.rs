@@ -5,7 +5,9 @@ use super::dependencies::{self, Found, Givens};
 use super::inputs::Inputs;
 use super::measure::{ACCOUNT, Measure, OF_WATER};
 use super::nominal::Scales;
-use super::reading::{Moment, of_connection, of_part, push_contact, push_joint, push_point, push_total, push_wrench};
+use super::reading::{
+    Moment, of_connection, of_part, push_contact, push_foundation, push_joint, push_point, push_total, push_wrench,
+};
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
 use crate::math::Vec3;
@@ -213,7 +215,7 @@ impl Table {
         self.measures.iter().any(|measure| match measure {
             Measure::Sensors(_, quantity) => quantity.is_acceleration() || quantity.is_of_section(),
             Measure::Frame(..) | Measure::Connection(Kind::Gear, ..) => true,
-            Measure::Connection(Kind::Contact, ..) => false,
+            Measure::Connection(Kind::Contact | Kind::Foundation, ..) => false,
             // An effort is given, and a spring follows from positions and velocities.
             Measure::Connection(Kind::Actuator | Kind::Spring, _, quantity) => quantity.is_acceleration(),
             Measure::Connection(.., quantity) => {
@@ -233,7 +235,7 @@ impl Table {
             Measure::Sensors(_, quantity) | Measure::Connection(Kind::Spring, _, quantity) => {
                 !quantity.is_acceleration() && !quantity.is_of_section()
             }
-            Measure::Connection(Kind::Contact, ..) => true,
+            Measure::Connection(Kind::Contact | Kind::Foundation, ..) => true,
             Measure::Frame(..) | Measure::Connection(Kind::Gear, ..) => false,
             Measure::Connection(.., quantity) => quantity.is_coordinate(),
             Measure::Whole(..) | Measure::Energy => true,
@@ -363,6 +365,9 @@ impl Table {
                 }
                 Measure::Connection(Kind::Contact, number, quantity) => {
                     push_contact(values, *number, *quantity, moment, &loads);
+                }
+                Measure::Connection(Kind::Foundation, number, quantity) => {
+                    push_foundation(values, *number, *quantity, moment, &loads);
                 }
                 Measure::Connection(kind, number, quantity) => {
                     values.push(of_connection(*kind, *number, *quantity, moment, &loads));

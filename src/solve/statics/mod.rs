@@ -180,7 +180,10 @@ impl Statics {
             self.search_holding(system, state, next, |statics, system, next| statics.ramp_to(system, next, time));
         match ramped {
             // Beams that touch nothing yet fall until they do.
-            Err(reason) if !system.contacts.is_empty() && !matches!(reason, Error::NotFinite { .. }) => {
+            Err(reason)
+                if (!system.contacts.is_empty() || system.pushes_on_one_side())
+                    && !matches!(reason, Error::NotFinite { .. }) =>
+            {
                 let tried = next.statistics;
                 next.clone_from(state);
                 next.statistics = tried;

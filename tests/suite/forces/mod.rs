@@ -4,6 +4,7 @@ pub mod actuators;
 pub mod bodies_on_springs;
 mod controllers;
 mod elastic_contacts;
+mod foundations;
 pub mod friction_and_stops;
 pub mod law_derivatives;
 pub mod laws;

@@ -9,6 +9,7 @@ pub mod contact;
 pub mod curve;
 pub mod damping;
 pub mod drive;
+pub mod foundation;
 pub mod frame;
 pub mod friction;
 pub mod function;
@@ -105,6 +106,7 @@ parts! {
     locks: Lock, lock::LockSpec, "Locks, in file order.";
     surfaces: Surface, surface::SurfaceSpec, "Surfaces, in file order.";
     contacts: Contact, contact::ContactSpec, "Contacts, in file order.";
+    foundations: Foundation, foundation::FoundationSpec, "Foundations, in file order.";
     loads: Load, load::LoadSpec, "Loads, in file order.";
     waves: Wave, wave::WaveSpec, "Waves, in file order.";
     outputs: Output, output::OutputSpec, "Outputs, in file order.";
@@ -114,7 +116,8 @@ impl Parts {
     /// Numbers that do not go together though each is allowed, with the reason.
     pub(super) fn objections(&self, numbers: &Numbers) -> impl Iterator<Item = (Number, String)> {
         let sections = self.sections.iter().filter_map(|own| own.objection(|number| numbers.value(number)));
-        sections.chain(self.surfaces.iter().filter_map(|own| own.objection(|number| numbers.value(number))))
+        let surfaces = self.surfaces.iter().filter_map(|own| own.objection(|number| numbers.value(number)));
+        sections.chain(surfaces).chain(self.foundations.iter().filter_map(|own| own.objection(numbers)))
     }
 }
 

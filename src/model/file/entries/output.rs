@@ -154,6 +154,19 @@ impl OutputSpec {
                 "moment of the beams on the surfaces, about the place of the first surface, in global axes"
             }
             (Quantity::Energy, Target::Connection(Kind::Contact, _)) => "elastic energy of the penetration",
+            (Quantity::ReactionForce, Target::Connection(Kind::Foundation, _)) => {
+                "force of the foundation on the beam, in global axes"
+            }
+            (Quantity::ReactionMoment, Target::Connection(Kind::Foundation, _)) => {
+                "moment of the foundation on the beam, about the global origin, in global axes"
+            }
+            (Quantity::AppliedForce, Target::Connection(Kind::Foundation, _)) => {
+                "force of the beam on the foundation, in global axes"
+            }
+            (Quantity::AppliedMoment, Target::Connection(Kind::Foundation, _)) => {
+                "moment of the beam on the foundation, about the global origin, in global axes"
+            }
+            (Quantity::Energy, Target::Connection(Kind::Foundation, _)) => "elastic energy of the foundation",
             (Quantity::Energy, Target::Connection(Kind::Joint, _)) => "elastic energy of the joint's own springs",
             (Quantity::Distance, Target::Connection(Kind::Spring, _)) => {
                 "distance of b from a; on a joint along the axis, 0 as drawn"

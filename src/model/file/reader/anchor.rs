@@ -98,10 +98,11 @@ pub const WATCHED: Allowed = Allowed {
         Kind::Stop,
         Kind::Lock,
         Kind::Contact,
+        Kind::Foundation,
         Kind::Beam,
     ],
     ground: false,
-    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, GEAR, SPRING, FRICTION, STOP, LOCK or CONTACT",
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, GEAR, SPRING, FRICTION, STOP, LOCK, CONTACT or FOUNDATION",
 };
 
 /// What an observer can move with.

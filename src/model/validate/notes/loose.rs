@@ -22,7 +22,8 @@ pub fn loose_parts(document: &Document) -> Vec<Note> {
         .contacts
         .iter()
         .flat_map(|contact| contact.pairs().map(|(beam, surface)| (beam, part(document.surfaces[surface].on))));
-    let groups = Groups::new(world + 1, pairs.chain(contacts));
+    let foundations = document.foundations.iter().map(|foundation| (foundation.beam, world));
+    let groups = Groups::new(world + 1, pairs.chain(contacts).chain(foundations));
 
     let beams = document.beams.iter().map(|beam| (format!("beam {}", beam.name), beam.place));
     let bodies = document.bodies.iter().map(|body| (format!("body {}", body.name), body.place));

@@ -1,0 +1,199 @@
+//! Elastic foundations against closed forms and by their energy.
+
+use crate::random::Random;
+use crate::running::{run, start, try_start, value, vector};
+use crate::support::machines::built;
+use ancf14::fmi::Model;
+use ancf14::math::blocks::Blocks;
+use ancf14::mechanics::input::excitation::Excitation;
+use ancf14::mechanics::marker::configuration::Passage;
+use ancf14::mechanics::state::State;
+use ancf14::mechanics::system::System;
+use ancf14::mechanics::system::frame_cache::FrameCache;
+use ancf14::model::simulation::Simulation;
+
+/// A rail of 1 N m² and 2 kg/m on `foundation`.
+fn rail(elements: usize, length: f64, foundation: &str, rest: &str) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Rail\"\ngravity = [0, 0, 0]\n\
+         [section.s]\nshape = \"rigidities\"\nEA = 1e4\nEI_y = 1\nEI_z = 1\nGJ = 1\nline_density = 2\n\
+         [beam.rail]\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [{length}, 0, 0]\nelements = {elements}\n\
+         [foundation.bed]\non = \"rail\"\n{foundation}\n\
+         [joint.guide]\ntype = \"bushing\"\na = \"ground\"\nb = \"rail.start\"\nstiffness = [0, 1, 0]\n\
+         rotational_stiffness = [1, 0, 0]\n{rest}"
+    )
+}
+
+/// The stiffness that makes the length `1/λ` of Hetényi's beams 1 m, N/m²: `λ⁴ = k/(4 EI)`.
+const UNIT: &str = "stiffness = [4, 4, 4]";
+
+/// Hetényi's infinite beam under a force `P`: deflection `P λ/(2 k)` and moment `P/(4 λ)` under it, and the deflection
+/// `P λ/(2 k) e^(−λx)(cos λx + sin λx)` beside it. A beam of `24/λ` differs from it by `e^(−12)`; the force makes slopes
+/// of 1e-5, whose squares are left out.
+#[test]
+fn infinite_beam_under_a_force() {
+    let rest = "[load.wheel]\nat = \"rail@0.5\"\nforce = [0, 0, \"-1e-4*t\"]\n\
+        [output.under]\nat = \"rail@0.5\"\nquantities = [\"displacement\", \"section_moment\"]\n\
+        [output.beside]\nat = \"rail@0.55\"\nquantities = [\"displacement\", \"section_moment\"]\n\
+        [output.bed]\nat = \"bed\"\nquantities = [\"reaction_force\", \"energy\"]\n\
+        [simulation]\nanalysis = \"static\"\nstop = 1\n";
+    let mut own = start(&rail(48, 24.0, UNIT, rest));
+    run(&mut own, 1.0, 1.0, |_| {});
+    let (p, x) = (1e-4_f64, 1.2_f64);
+    let near = |name: &str, found: f64, expected: f64| {
+        assert!((found / expected - 1.0).abs() < 1e-3, "{name}: {found:e}, expected {expected:e}");
+    };
+    near("deflection", -vector(&own, "under.displacement").z, p / 8.0);
+    near("moment", vector(&own, "under.section_moment").y.abs(), p / 4.0);
+    near("beside", -vector(&own, "beside.displacement").z, p / 8.0 * (-x).exp() * (x.cos() + x.sin()));
+    near(
+        "moment beside",
+        vector(&own, "beside.section_moment").y.abs(),
+        p / 4.0 * (-x).exp() * (x.sin() - x.cos()).abs(),
+    );
+    near("force", vector(&own, "bed.reaction_force").z, p);
+    // Of the work P w/2 the foundation stores three quarters.
+    near("energy", value(&own, "bed.energy"), 0.75 * p * p / 16.0);
+}
+
+/// Hetényi's semi-infinite beam under a force at its end: `2 P λ/k`, and none of the moment there.
+#[test]
+fn semi_infinite_beam_under_a_force() {
+    let rest = "[load.wheel]\nat = \"rail.start\"\nforce = [0, 0, \"-1e-4*t\"]\n\
+        [output.under]\nat = \"rail.start\"\nquantities = [\"displacement\"]\n\
+        [simulation]\nanalysis = \"static\"\nstop = 1\n";
+    let mut own = start(&rail(24, 12.0, UNIT, rest));
+    run(&mut own, 1.0, 1.0, |_| {});
+    let found = -vector(&own, "under.displacement").z;
+    assert!((found / (1e-4 / 2.0) - 1.0).abs() < 1e-3, "{found:e}");
+}
+
+/// The first frequencies of a hinged beam: `ω² = (EI (n π/L)⁴ + k)/m`; the second bends with eight elements
+/// a half wave, whose energy is `(π/8)⁴/720` too high, 3e-5.
+#[test]
+fn frequencies_of_a_hinged_beam() {
+    let rest = "[joint.pin]\ntype = \"spherical\"\na = \"ground\"\nb = \"rail.end\"\n\
+        [joint.hinge]\ntype = \"spherical\"\na = \"ground\"\nb = \"rail.start\"\n[simulation]\nstop = 1\n";
+    let own = start(&rail(16, 2.0, "stiffness = [0, 300, 50]", rest));
+    let found = own.modes(3).unwrap_or_else(|failure| panic!("{}", failure.message)).modes;
+    let bent = |n: f64, k: f64| ((n * std::f64::consts::PI / 2.0).powi(4) + k) / 2.0;
+    let mut expected = [bent(1.0, 50.0), bent(2.0, 50.0), bent(1.0, 300.0)];
+    expected.sort_by(f64::total_cmp);
+    for own in expected {
+        let nearest = found.iter().map(|mode| (mode.eigenvalue / own - 1.0).abs()).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-4, "{own}: {nearest:e} of {:?}", found.iter().map(|m| m.eigenvalue).collect::<Vec<_>>());
+    }
+}
+
+/// A stiff bar on a foundation that only pushes, under a force at an eccentricity `e`: of a length `L` the part
+/// `3 (L/2 − e)` bears, and the end sinks by `2 P/(k a)`. The bar bends by 1e-6 of that.
+#[test]
+fn a_rigid_bar_lifts_off() {
+    let text = "format = 1\n[model]\nname = \"Bar\"\ngravity = [0, 0, 0]\n\
+        [section.s]\nshape = \"rigidities\"\nEA = 1e8\nEI_y = 1e7\nEI_z = 1e7\nGJ = 1e6\nline_density = 1\n\
+        [beam.bar]\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 3\n\
+        [foundation.bed]\non = \"bar\"\npushes = [0, 0, 2]\nstiffness = 1e4\n\
+        [joint.guide]\ntype = \"bushing\"\na = \"ground\"\nb = \"bar.start\"\nstiffness = [1, 1, 0]\n\
+        rotational_stiffness = [1, 0, 1]\n\
+        [load.push]\nat = \"bar@0.7\"\nforce = [0, 0, \"-10*t\"]\n\
+        [output.end]\nat = \"bar.end\"\nquantities = [\"displacement\"]\n\
+        [output.start]\nat = \"bar.start\"\nquantities = [\"displacement\"]\n\
+        [output.bed]\nat = \"bed\"\nquantities = [\"reaction_force\"]\n\
+        [simulation]\nanalysis = \"static\"\nstop = 1\n";
+    let mut own = start(text);
+    run(&mut own, 0.5, 1.0, |_| {});
+    let (bears, k) = (0.9, 1e4);
+    let (end, begin) = (-vector(&own, "end.displacement").z, -vector(&own, "start.displacement").z);
+    assert!((end / (2.0 * 10.0 / (k * bears)) - 1.0).abs() < 1e-4, "{end:e}");
+    assert!((begin / end + 0.1 / 0.9).abs() < 1e-4, "{begin:e}");
+    assert!((vector(&own, "bed.reaction_force").z - 10.0).abs() < 1e-6);
+}
+
+const MOVING: &str = "[load.wheel]\nat = \"rail@0.4\"\nforce = [0, 0, \"if(t < 0.05, -20, 0)\"]\n\
+    [output.end]\nat = \"rail.end\"\nquantities = [\"position\"]\n\
+    [output.bed]\nat = \"bed\"\nquantities = [\"energy\"]\n\
+    [simulation]\nstop = 0.5\nstep = 2e-3\nspectral_radius = 1\ntotals = [\"energy\", \"work\"]\n";
+
+const KINDS: [&str; 4] = [
+    "stiffness = [1e3, 2e3, 4e3]\naxes = \"section\"\nover = [0.1, 0.77]",
+    "stiffness = [1e3, 2e3, 4e3]\ndamping = [1, 2, 30]",
+    "pushes = [0.1, 0, 1]\nstiffness = 4e3",
+    "pushes = [0, 0, 1]\nstiffness = 4e3\ndamping = 30\nover = [0.2, 0.9]",
+];
+
+/// After the force has gone the energy stays, but for what the damping takes, also where the rail lifts off: what is left
+/// are the third-order terms of elastic forces, 1e-3 of the energy.
+#[test]
+fn energy_stays() {
+    for kind in KINDS {
+        let mut own = start(&rail(6, 2.0, kind, MOVING));
+        let mut largest = 0.0_f64;
+        run(&mut own, 0.01, 0.5, |own| largest = largest.max(value(own, "energy.total")));
+        let drift = value(&own, "work.drift");
+        assert!(largest > 1e-3 && drift.abs() < 1e-3 * largest, "{kind}: {drift:e} of {largest:e}");
+        let taken = value(&own, "work.dissipated");
+        assert!((taken > 0.01 * largest) == kind.contains("damping"), "{kind}: {taken:e}");
+    }
+}
+
+/// A run goes on from a saved state to the bit.
+#[test]
+fn states_go_on_to_the_bit() {
+    let results = |own: &Simulation| -> Vec<u64> {
+        (0..own.variables().len()).map(|index| own.value(index).number().to_bits()).collect()
+    };
+    for kind in KINDS {
+        let mut own = start(&rail(4, 2.0, kind, MOVING));
+        let go =
+            |own: &mut Simulation, end: f64| own.advance(end).unwrap_or_else(|failure| panic!("{}", failure.message));
+        go(&mut own, 0.1);
+        let snapshot = own.snapshot();
+        go(&mut own, 0.2);
+        let once = results(&own);
+        own.restore(&snapshot);
+        go(&mut own, 0.2);
+        assert_eq!(once, results(&own), "{kind}");
+    }
+}
+
+/// All forces at rest at the coordinates `q`, and their tangent.
+fn forces_at(system: &System, before: &State, q: &[f64]) -> (Vec<f64>, Blocks) {
+    let mut frames = FrameCache::default();
+    frames.set(system, q, &before.triads);
+    let c = system.configuration(q, &frames, before, &before.prescribed);
+    let mut blocks = Blocks::default();
+    system.push_tangent_blocks(&mut blocks);
+    let mut forces = vec![0.0; q.len()];
+    system.forces_and_tangent(&c, &Passage::Rest, &Excitation::default(), 1.0, &mut forces, &mut blocks);
+    (forces, blocks)
+}
+
+/// The tangent against central differences of the forces: 1e-6 of the largest force, by their round-off and the square of
+/// their step.
+#[test]
+fn the_tangent_is_the_derivative() {
+    for kind in KINDS {
+        let (system, state) = built(&rail(2, 2.0, kind, "[simulation]\nstop = 1\n"));
+        let mut random = Random(7);
+        let q: Vec<f64> = state.q.iter().map(|own| own + 0.02 * random.signed()).collect();
+        let direction: Vec<f64> = q.iter().map(|_| random.signed()).collect();
+        let moved = |h: f64| -> Vec<f64> { q.iter().zip(&direction).map(|(own, by)| own + h * by).collect() };
+        let (_, tangent) = forces_at(&system, &state, &q);
+        let mut product = vec![0.0; q.len()];
+        tangent.multiply_add(&direction, &mut product);
+        let [plus, minus] = [1e-6, -1e-6].map(|h| forces_at(&system, &state, &moved(h)).0);
+        let scale = product.iter().fold(0.0_f64, |largest, own| largest.max(own.abs()));
+        for (index, own) in product.iter().enumerate() {
+            let found = (plus[index] - minus[index]) / 2e-6;
+            assert!((found - own).abs() < 1e-6 * scale, "{kind}, {index}: {found} {own}");
+        }
+    }
+}
+
+/// A direction of 0 is a mistake.
+#[test]
+fn a_direction_of_zero_is_a_mistake() {
+    let text = rail(2, 1.0, "pushes = [0, 0, 0]\nstiffness = 1", "[simulation]\nstop = 1\n");
+    let message = try_start(&text).err().expect("it is refused");
+    assert!(message.contains("must have a direction"), "{message}");
+}
