@@ -48,7 +48,7 @@ pub trait BeamElement {
     /// strain more, s.
     fn set_damping(&mut self, damping: f64, tension_damping: f64);
 
-    /// The place `xi` (0 to 1) of the axis, of what `q` interpolates: places, or displacements, m.
+    /// The place `xi` (0 to 1) of the axis, of what `q` interpolates: positions, or displacements, m.
     fn axis_point(&self, xi: f64, q: &[f64]) -> Vec3;
 
     /// Derivative of [`Self::axis_point`] with respect to its own coordinates.

@@ -2,8 +2,8 @@
 //! displacement `u = A_fᵀ (r − r_drawn)` from the position as drawn, in the axes `A_f` of the foundation.
 //!
 //! On both sides `f = −k u − c u̇` along each axis. On one side it pushes along a direction `d` alone:
-//! `f = max(k p − c u̇, 0)` where `p = −u` along `d` is not negative. Over a step it is the mean over the way of `u`, so
-//! that the work of the elastic part is the change of its energy.
+//! `f = max(k p − c u̇, 0)` where `p = −u` along `d` is not negative. Over a step it is the mean over the way of `u`,
+//! so that the work of the elastic part is the change of its energy.
 
 use super::law::{Law, LawForce};
 use crate::math::quadrature::{FOUR_POINTS, FOUR_WEIGHTS};

@@ -30,8 +30,8 @@ pub struct Pace {
 impl Pace {
     /// Whether it may be one of a system with `coordinates` coordinates.
     pub fn is_possible(&self, coordinates: usize) -> bool {
-        let Self { wanted, damping_step, ratio, ease, judged, turned, since, travel, range: [places, angles] } = self;
-        let sizes = [wanted, damping_step, ratio, ease, turned, places, angles];
+        let Self { wanted, damping_step, ratio, ease, judged, turned, since, travel, range } = self;
+        let sizes = [wanted, damping_step, ratio, ease, turned, &range[0], &range[1]];
         let are_possible = sizes.iter().all(|size| size.is_finite() && **size >= 0.0);
         are_possible && since.is_finite() && judged.is_finite() && (travel.is_empty() || travel.len() == coordinates)
     }

@@ -260,7 +260,7 @@ fn drawn_lines(system: &System, q: &[f64]) -> Vec<Vec<[f64; 3]>> {
     lines
 }
 
-/// Points of all beams of what `q` interpolates: places, or displacements.
+/// Points of all beams of what `q` interpolates: positions, or displacements.
 fn lines(system: &System, q: &[f64]) -> Vec<Vec<[f64; 3]>> {
     let line = |first: usize, count: usize| {
         let points = (0..=count * POINTS).map(|point| {

@@ -104,7 +104,7 @@ impl Stations {
         self.sensors.iter().map(pose).collect::<Vec<_>>().into_iter()
     }
 
-    /// Pushes place and orientation of each station onto `places` and `turns`.
+    /// Pushes position and orientation of each station onto `places` and `turns`.
     pub fn push_poses(&self, c: &Configuration, places: &mut Vec<f64>, turns: &mut Vec<f64>) {
         for sensor in &self.sensors {
             places.extend(sensor.marker.pose(c).place.iter());

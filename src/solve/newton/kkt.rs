@@ -23,6 +23,17 @@ const SHIFT: f64 = 1e-10;
 /// motion notices, so much that the round-off of conditions (1e-16 over it) stays below the softest motions.
 const YIELDING: f64 = 1e-5;
 
+/// How the springs are measured that stand for conditions.
+#[derive(Clone, Copy, Debug)]
+enum Springs {
+    /// By the softest coordinate that a condition acts on; of bodies, by the stiffest coordinate of all.
+    OfTheMatrix,
+    /// Those of bodies by the springs of their joints ([`stiffnesses`]).
+    OfTheJoints,
+}
+
+const SPRINGS: [Springs; 2] = [Springs::OfTheMatrix, Springs::OfTheJoints];
+
 /// Matrix and factorization of one constrained system.
 #[derive(Debug)]
 pub struct Kkt {
@@ -221,12 +232,25 @@ impl Kkt {
     /// Whether it is certain that no motion that the constraints allow releases energy, by the symmetric part of the
     /// matrix that is set. A factorization is neither needed nor kept.
     pub fn holds_all_motions(&mut self, system: &System) -> bool {
-        self.solver.set_scale(&self.blocks) && self.is_definite(system)
+        self.solver.set_scale(&self.blocks) && SPRINGS.into_iter().any(|springs| self.is_definite(system, springs))
+    }
+
+    /// The stiffness of the springs that stand for the conditions.
+    fn springs(&self, system: &System, springs: Springs) -> Vec<f64> {
+        let scale = |index| self.solver.scale(index);
+        match springs {
+            Springs::OfTheMatrix => {
+                let coordinates = system.coordinates();
+                (0..system.constraints()).map(|row| scale(coordinates + row).powi(2)).collect()
+            }
+            Springs::OfTheJoints => stiffnesses(system, &self.blocks, &self.joints, scale),
+        }
     }
 
     /// Whether the matrix that [`Self::releasing_motions`] factorizes is positive definite up to round-off; where it is
     /// not, nothing is known.
-    fn is_definite(&mut self, system: &System) -> bool {
+    fn is_definite(&mut self, system: &System, springs: Springs) -> bool {
+        let springs = self.springs(system, springs);
         let coordinates = system.coordinates();
         let definite = self.definite.get_or_insert_with(|| {
             // The second sides of gears share a condition with the joint before.
@@ -235,7 +259,6 @@ impl Kkt {
         });
         let Some(definite) = definite else { return false };
         definite.take(&self.blocks);
-        let springs = stiffnesses(system, &self.blocks, &self.joints, |index| self.solver.scale(index));
         for ((joint, rows), first) in system.joints_with_rows().zip(&self.joints) {
             let sides = [(&joint.a, first + 2), (&joint.b, first + 3)];
             let sides = sides.map(|(marker, block)| (marker.coordinates(&system.mesh), self.blocks.block(block)));
@@ -254,11 +277,18 @@ impl Kkt {
     /// None where a pivot vanishes.
     ///
     /// They are the negative pivots of `A + Bᵀ B/ε = L D Lᵀ`, the constraints being springs that are stiffer than
-    /// anything else.
+    /// anything else. Springs that give way count motions that the constraints forbid, and stiff ones those that their
+    /// round-off hides: the lowest count of several springs is the nearest one.
     pub fn releasing_motions(&mut self, system: &System) -> Option<usize> {
-        if self.is_definite(system) {
+        if SPRINGS.into_iter().any(|springs| self.is_definite(system, springs)) {
             return Some(0);
         }
+        SPRINGS.into_iter().filter_map(|springs| self.negative_pivots(system, springs)).min()
+    }
+
+    /// The negative pivots with these springs; none where one vanishes.
+    fn negative_pivots(&mut self, system: &System, springs: Springs) -> Option<usize> {
+        let springs = self.springs(system, springs);
         if self.inertia.is_none() {
             self.inertia = Inertia::new(system, &self.blocks);
         }
@@ -268,7 +298,6 @@ impl Kkt {
         }
         // Only the conditions of gears are between their sides.
         (kept.len()..blocks.layout().len()).for_each(|number| blocks.block_mut(number).fill(0.0));
-        let springs = stiffnesses(system, &self.blocks, &self.joints, |index| self.solver.scale(index));
         let stiffness = |condition: usize| springs[condition] / YIELDING;
         // Rows of a and of b; the four blocks of the joint's stiffness are aa, ab, ba, bb.
         let sides = |joint: usize| [2, 3].map(|side| self.blocks.block(self.joints[joint] + side));

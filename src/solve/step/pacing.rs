@@ -39,8 +39,8 @@ const LEAST_SHARE: f64 = 0.015;
 /// where they are small.
 const MANY_STEPS: f64 = 20_000.0;
 const SHORT_SHARE: f64 = 0.02;
-/// Where the results are expected to be off by less than the first share of the accuracy at the end, the errors of steps
-/// may be larger, up to so many times; beyond the second share they become smaller again, by the same factor.
+/// Where the results are expected to be off by less than the first share of the accuracy at the end, the errors of
+/// steps may be larger, up to so many times; beyond the second share they become smaller again, by the same factor.
 const EASED: [f64; 2] = [0.1, 0.3];
 const MOST_EASED: f64 = 30.0;
 const EASE: f64 = 2.0;
@@ -67,7 +67,7 @@ const TIME_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// How steps are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pacing {
-    /// Error of the places, slopes and angles that the whole motion may have because of its steps, as a share of its
+    /// Error of the positions, slopes and angles that the whole motion may have because of its steps, as a share of its
     /// range.
     pub accuracy: f64,
     /// Length of the motion, s.
@@ -77,8 +77,8 @@ pub struct Pacing {
 }
 
 impl Pacing {
-    /// The error of a step of `step` s from `time`, `error` of places over the system's size and of slopes and angles,
-    /// over that allowed.
+    /// The error of a step of `step` s from `time`, `error` of positions over the system's size and of slopes and
+    /// angles, over that allowed.
     fn ratio(self, pace: &Pace, error: [f64; 2], step: f64, time: f64) -> f64 {
         let Self { accuracy, duration, .. } = self;
         let fading = (1.0 - (time - pace.since) / (STARTING * duration)).max(0.0);
@@ -101,8 +101,8 @@ impl Pacing {
         !self.is_given && time - pace.since >= STARTING * self.duration && time - pace.judged >= BETWEEN * self.duration
     }
 
-    /// Lets the steps of a motion have larger errors while its results, off by `error` as a share of their ranges, are far
-    /// more exact than asked for, and takes that back where they are not: `time` is now.
+    /// Lets the steps of a motion have larger errors while its results, off by `error` as a share of their ranges, are
+    /// far more exact than asked for, and takes that back where they are not: `time` is now.
     pub fn ease(self, pace: &mut Pace, error: f64, time: f64) {
         pace.judged = time;
         // Errors grow as the time at least.

@@ -194,6 +194,6 @@ fn the_tangent_is_the_derivative() {
 #[test]
 fn a_direction_of_zero_is_a_mistake() {
     let text = rail(2, 1.0, "pushes = [0, 0, 0]\nstiffness = 1", "[simulation]\nstop = 1\n");
-    let message = try_start(&text).err().expect("it is refused");
+    let message = try_start(&text).unwrap_err();
     assert!(message.contains("must have a direction"), "{message}");
 }

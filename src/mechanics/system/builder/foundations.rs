@@ -27,7 +27,7 @@ impl SystemBuilder {
             let within = [if number == first { begin } else { 0.0 }, if number == last { end } else { 1.0 }];
             let of_section = |xi| element_of.section_pose(&c.beams, xi).axes;
             let axes = FOUR_POINTS.map(|xi| axes.unwrap_or_else(|| of_section(xi)));
-            Bed { element, within, drawn: SHAPE_PLACES.map(|place| vec3(q, start + place)), axes }
+            Bed { element, within, drawn: SHAPE_PLACES.map(|shape| vec3(q, start + shape)), axes }
         };
         let beds = (first..=last).map(bed).collect();
         self.system.foundations.push(Foundation { name: name.into(), beds, bedding });

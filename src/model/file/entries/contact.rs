@@ -46,9 +46,9 @@ pub struct ContactSpec {
     pub name: String,
     /// Where the name stands.
     pub place: Place,
-    /// The beams, by their places in the list.
+    /// The beams, by their numbers.
     pub beams: Vec<usize>,
-    /// The surfaces, by their places in the list.
+    /// The surfaces, by their numbers.
     pub surfaces: Vec<usize>,
     /// Distance of the surface of the beams from their axes, m; none: by their sections.
     pub radius: Option<Number>,

@@ -34,7 +34,7 @@ pub struct GearSpec {
     pub name: String,
     /// Where the name stands.
     pub place: Place,
-    /// The two joints, by their places in the list, each with a coordinate that it has.
+    /// The two joints, by their numbers, each with a coordinate that it has.
     pub sides: [(usize, Coordinate); 2],
     /// How the first coordinate follows the second one.
     pub relation: Relation,

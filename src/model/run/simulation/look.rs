@@ -1,4 +1,4 @@
-//! Looks at how far the results are off while a run goes on, and what follows from that: longer steps, corrected results.
+//! How far the results are off while a run goes on, and what follows from that: longer steps, corrected results.
 
 use super::Simulation;
 use super::runner::Runner;

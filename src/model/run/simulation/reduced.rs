@@ -33,7 +33,8 @@ impl Linear {
     pub fn reduce(&self, simulation: &Simulation, size: Size, method: Method) -> Result<Reduced, Failure> {
         if self.inputs.is_empty() || self.outputs.is_empty() {
             return Err(wrong(String::from(
-                "a reduction needs inputs and outputs, and this system lacks them; name them with --inputs and --outputs",
+                "a reduction needs inputs and outputs, and this system lacks them; name them with --inputs and \
+                 --outputs",
             )));
         }
         let states = self.states.len();
@@ -53,8 +54,8 @@ impl Linear {
         let Truncated { matrices, origins, kept, bound, error } = found.map_err(|refusal| match refusal {
             Refusal::NotFound => not_found(),
             Refusal::Kept(kept) => wrong(format!(
-                "{kept} states have poles that do not fade, and a reduction keeps them; ask for at least {kept} states, or \
-                 give materials and joints their damping"
+                "{kept} states have poles that do not fade, and a reduction keeps them; ask for at least {kept} \
+                 states, or give materials and joints their damping"
             )),
         })?;
         // Those at 0 have a block of their own, the first one.
