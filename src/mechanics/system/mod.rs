@@ -243,7 +243,6 @@ impl System {
             || self.contacts.iter().any(|contact| contact.law.damping != 0.0)
             || self.foundations.iter().any(|own| own.bedding.is_damped())
             || self.has_material_damping()
-            || self.has_material_damping()
             || self.has_mass_damping()
             || self.water.as_ref().is_some_and(|water| water.drags())
     }
