@@ -22,7 +22,7 @@ const ENDS: usize = 2 * PARTS + 2;
 /// How hard a foundation is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bedding {
-    /// On both sides, along each of its axes.
+    /// It acts on both sides, along each of its axes.
     Sided {
         /// N/m².
         stiffness: [f64; 3],

@@ -26,7 +26,7 @@ const YIELDING: f64 = 1e-5;
 /// How the springs are measured that stand for conditions.
 #[derive(Clone, Copy, Debug)]
 enum Springs {
-    /// By the softest coordinate that a condition acts on; of bodies, by the stiffest coordinate of all.
+    /// The softest coordinate that a condition acts on measures them; the stiffest one of all those of bodies.
     OfTheMatrix,
     /// Those of bodies by the springs of their joints ([`stiffnesses`]).
     OfTheJoints,

@@ -16,7 +16,7 @@ const MOST_PASSES: usize = 8;
 /// A condition: its unknowns and gradient.
 type Gradient = Vec<(usize, f64)>;
 
-/// For each condition, the stiffness that gives it the size of the coordinates that it acts on. `joints` are the first
+/// The stiffness of each condition that gives it the size of the coordinates that it acts on. `joints` are the first
 /// of each joint's constraint blocks among `blocks`: columns of a and b, rows of a and b; `scale` is the scaling of the
 /// unknowns.
 pub(super) fn stiffnesses(

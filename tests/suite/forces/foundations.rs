@@ -3,14 +3,19 @@
 use crate::random::Random;
 use crate::running::{run, start, try_start, value, vector};
 use crate::support::machines::built;
-use ancf14::fmi::Model;
+use ancf14::fmi::{Model, Value};
+use ancf14::math::Vec3;
 use ancf14::math::blocks::Blocks;
+use ancf14::math::rotation::rotation_matrix;
+use ancf14::mechanics::beam::ancf14::coordinates::{ELEMENT, SHAPE_PLACES};
+use ancf14::mechanics::beam::configuration::Dissipation;
 use ancf14::mechanics::input::excitation::Excitation;
-use ancf14::mechanics::marker::configuration::Passage;
+use ancf14::mechanics::marker::configuration::{Passage, TimeStep};
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::simulation::Simulation;
+use ancf14::model::steady::Spin;
 
 /// A rail of 1 N m² and 2 kg/m on `foundation`.
 fn rail(elements: usize, length: f64, foundation: &str, rest: &str) -> String {
@@ -196,4 +201,156 @@ fn a_direction_of_zero_is_a_mistake() {
     let text = rail(2, 1.0, "pushes = [0, 0, 0]\nstiffness = 1", "[simulation]\nstop = 1\n");
     let message = try_start(&text).unwrap_err();
     assert!(message.contains("must have a direction"), "{message}");
+}
+
+/// A stiff bar sinks by `P/(k a)` on the part `a` of its length that the foundation supports, without a turn under a
+/// force in its middle. The bar bends by 1e-6 of that; both ends of the part are inside elements.
+#[test]
+fn a_part_of_a_bar_is_supported() {
+    let text = "format = 1\n[model]\nname = \"Bar\"\ngravity = [0, 0, 0]\n\
+        [section.s]\nshape = \"rigidities\"\nEA = 1e8\nEI_y = 1e7\nEI_z = 1e7\nGJ = 1e6\nline_density = 1\n\
+        [beam.bar]\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 3\n\
+        [foundation.bed]\non = \"bar\"\nover = [0.1, 0.78]\nstiffness = [0, 0, 1e4]\n\
+        [joint.guide]\ntype = \"bushing\"\na = \"ground\"\nb = \"bar.start\"\nstiffness = [1, 1, 0]\n\
+        rotational_stiffness = [1, 0, 1]\n\
+        [load.push]\nat = \"bar@0.44\"\nforce = [0, 0, \"-10*t\"]\n\
+        [output.end]\nat = \"bar.end\"\nquantities = [\"displacement\"]\n\
+        [output.start]\nat = \"bar.start\"\nquantities = [\"displacement\"]\n\
+        [simulation]\nanalysis = \"static\"\nstop = 1\n";
+    let mut own = start(text);
+    run(&mut own, 1.0, 1.0, |_| {});
+    for name in ["start.displacement", "end.displacement"] {
+        let found = -vector(&own, name).z;
+        assert!((found / (10.0 / (1e4 * 0.68)) - 1.0).abs() < 1e-4, "{name}: {found:e}");
+    }
+}
+
+/// A foundation in the axes of the sections, or one that pushes, turns with a copy of its beam: so do displacements, to
+/// the tolerance of the solution.
+#[test]
+fn foundations_turn_with_copies() {
+    for kind in ["stiffness = [1, 20, 90]\naxes = \"section\"", "pushes = [0, 0.3, 1]\nstiffness = 90"] {
+        let mut own = start(&format!(
+            "format = 1\n[model]\nname = \"Copies\"\ngravity = [0, 0, 0]\n\
+             [section.s]\nshape = \"rigidities\"\nEA = 1e4\nEI_y = 1\nEI_z = 1\nGJ = 1\nline_density = 2\n\
+             [copy.rails]\ncount = 2\nturn = {{ axis = [1, 2, 3], angle = \"0.7*(k - 1)\" }}\n\
+             [copy.rails.beam.rail]\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [2, 0, 0]\nelements = 4\n\
+             [copy.rails.foundation.bed]\non = \"rail\"\n{kind}\n\
+             [copy.rails.joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"rail.start\"\n\
+             [copy.rails.load.wheel]\nat = \"rail.end\"\nforce = [0, \"-1*t\", \"-2*t\"]\n\
+             [output.first]\nat = \"rail_1.end\"\nquantities = [\"displacement\"]\n\
+             [output.second]\nat = \"rail_2.end\"\nquantities = [\"displacement\"]\n\
+             [simulation]\nanalysis = \"static\"\nstop = 1\n"
+        ));
+        run(&mut own, 0.5, 1.0, |_| {});
+        let turn = rotation_matrix(&(Vec3::new(1.0, 2.0, 3.0).normalize() * 0.7));
+        let [first, second] = ["first", "second"].map(|name| vector(&own, &format!("{name}.displacement")));
+        assert!(
+            first.norm() > 1e-2 && (second - turn * first).norm() < 1e-6 * first.norm(),
+            "{kind}: {first} {second}"
+        );
+    }
+}
+
+/// A stiffness that changes between two states of equilibrium makes the second that of a model with the new value, to
+/// the tolerance of the solution.
+#[test]
+fn a_foundation_is_tuned_between_steps() {
+    let rest = "[load.wheel]\nat = \"rail@0.5\"\nforce = [0, 0, \"-1*t\"]\n\
+        [output.under]\nat = \"rail@0.5\"\nquantities = [\"displacement\"]\n\
+        [simulation]\nanalysis = \"static\"\nstop = 1\n";
+    let cases = [
+        ("stiffness = [4, 4, 40]", "stiffness = [4, 4, 90]", "bed.stiffness[3]"),
+        ("pushes = [0, 0, 1]\nstiffness = 40", "pushes = [0, 0, 1]\nstiffness = 90", "bed.stiffness"),
+    ];
+    for (before, after, name) in cases {
+        let mut own = start(&rail(6, 3.0, before, rest));
+        run(&mut own, 0.5, 0.5, |_| {});
+        let at = own.variables().iter().position(|row| row.name == name).unwrap_or_else(|| panic!("no {name}"));
+        own.set_value(at, Value::Real(90.0)).unwrap_or_else(|failure| panic!("{}", failure.message));
+        own.advance(1.0).unwrap_or_else(|failure| panic!("{}", failure.message));
+        let mut other = start(&rail(6, 3.0, after, rest));
+        run(&mut other, 0.5, 1.0, |_| {});
+        let [found, expected] = [&own, &other].map(|own| vector(own, "under.displacement").z);
+        assert!((found / expected - 1.0).abs() < 1e-6, "{name}: {found:e}, expected {expected:e}");
+    }
+}
+
+/// The forces of foundations on all coordinates over a step of 0.01 s between the coordinates `ends`, and their tangent
+/// times `along`.
+fn forces_over_a_step(system: &System, before: &State, ends: [&[f64]; 2], along: &[f64]) -> [Vec<f64>; 2] {
+    let frames = ends.map(|q| {
+        let mut frames = FrameCache::default();
+        frames.set(system, q, &before.triads);
+        frames
+    });
+    let [start, end] = [0, 1].map(|side| system.configuration(ends[side], &frames[side], before, &before.prescribed));
+    let passage = Passage::Step(TimeStep {
+        start: &start,
+        end: &end,
+        increment: &[],
+        duration: 0.01,
+        velocity: &[],
+        dissipation: Dissipation::new(0.8),
+        strain_rates: &[],
+        predicted_rates: &[],
+        velocity_lead: &[],
+        starts: &[],
+    });
+    let [mut forces, mut product] = [(); 2].map(|()| vec![0.0; along.len()]);
+    for bed in &system.foundations[0].beds {
+        let element = &system.mesh.elements[bed.element];
+        let range = element.coordinates();
+        let mut block = vec![0.0; ELEMENT * ELEMENT];
+        system.foundations[0].each_bearing(bed, element, (&end, &passage), 1.0, &mut |own| {
+            for (weight, place) in own.weights.iter().zip(SHAPE_PLACES) {
+                (0..3).for_each(|axis| forces[range.start + place + axis] -= own.force[axis] * weight);
+            }
+            own.add_to(&own.stiffness, 1.0, &mut block);
+        });
+        for (column, by) in block.chunks(ELEMENT).zip(&along[range.clone()]) {
+            product[range.clone()].iter_mut().zip(column).for_each(|(sum, own)| *sum += own * by);
+        }
+    }
+    [forces, product]
+}
+
+/// Over a step the tangent is twice the derivative by the end. On both sides differences are off by their round-off,
+/// 1e-7. On one side a point that lifts off or lands leaves how the pieces move to the iteration; with damping there,
+/// the force is cut off between the points too, and its derivative is rougher.
+#[test]
+fn the_tangent_of_a_step_is_twice_the_derivative() {
+    for (kind, bound) in KINDS.into_iter().zip([1e-7, 1e-7, 2e-2]) {
+        let (system, state) = built(&rail(2, 2.0, kind, "[simulation]\nstop = 1\n"));
+        let mut random = Random(7);
+        let begin: Vec<f64> = state.q.iter().map(|own| own + 0.02 * random.signed()).collect();
+        let end: Vec<f64> = begin.iter().map(|own| own + 0.002 * random.signed()).collect();
+        let along: Vec<f64> = end.iter().map(|_| random.signed()).collect();
+        let over = |h: f64| {
+            let end: Vec<f64> = end.iter().zip(&along).map(|(own, by)| own + h * by).collect();
+            forces_over_a_step(&system, &state, [&begin, &end], &along)
+        };
+        let [[_, product], [plus, _], [minus, _]] = [0.0, 1e-6, -1e-6].map(over);
+        let scale = product.iter().fold(0.0_f64, |largest, own| largest.max(own.abs()));
+        assert!(scale > 1.0, "{kind} does not act");
+        for (index, own) in product.iter().enumerate() {
+            let found = (plus[index] - minus[index]) / 1e-6;
+            assert!((found - own).abs() < bound * scale, "{kind}, {index}: {found} {own}");
+        }
+    }
+}
+
+/// No steady rotation is looked for on a foundation.
+#[test]
+fn steady_rotation_on_a_foundation_is_refused() {
+    let text = "format = 1\n[model]\nname = \"Blade\"\ngravity = [0, 0, 0]\n\
+        [section.s]\nshape = \"rigidities\"\nEA = 1e4\nEI_y = 1\nEI_z = 1\nGJ = 1\nline_density = 2\n\
+        [beam.blade]\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 2\n\
+        [foundation.bed]\non = \"blade\"\nstiffness = [0, 0, 4]\n\
+        [joint.hub]\ntype = \"revolute\"\na = \"ground\"\nb = \"blade.start\"\naxis = [0, 0, 1]\n\
+        [drive.motor]\njoint = \"hub\"\ncoordinate = \"angle\"\nvalue = 0\n[simulation]\nstop = 1\n";
+    let own = start(text);
+    let spin = Spin { drive: String::from("motor"), speed: 1.0, is_weightless: false };
+    let message = own.linearize_steady(&spin, Some(&[]), None).unwrap_err().message;
+    assert!(message.contains("a foundation") && message.contains("does not turn steadily"), "{message}");
 }

@@ -65,7 +65,7 @@ pub struct FoundationSpec {
 /// How a foundation acts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
-    /// On both sides along three axes.
+    /// It acts on both sides along three axes.
     Sided {
         /// Its axes.
         axes: Axes,
