@@ -20,6 +20,26 @@ fn file_name(model: &str) -> String {
     words
 }
 
+/// Each heading is in the contents at the top of the page, and each link of the contents leads to a heading.
+#[test]
+fn contents_are_those_of_the_page() {
+    let anchor = |heading: &str| {
+        let kept = |letter: &char| letter.is_alphanumeric() || [' ', '-'].contains(letter);
+        heading.to_lowercase().chars().filter(kept).collect::<String>().replace(' ', "-")
+    };
+    let (contents, page) = PAGE.split_once("\n## Principles\n").unwrap();
+    let headings = page.lines().filter_map(|line| line.strip_prefix("### ").or(line.strip_prefix("## "))).map(anchor);
+    // Two headings are alike, and those that only group others are not in the contents.
+    let mut headings: Vec<_> = headings.filter(|own| own != "details").collect();
+    let second = headings.iter().rposition(|own| own == "sections").unwrap();
+    headings[second] = "sections-1".to_owned();
+    let links = contents.split("](#").skip(1).filter_map(|rest| rest.split_once(')'));
+    let mut links: Vec<_> = links.map(|(link, _)| link.to_owned()).collect();
+    headings.sort();
+    links.sort();
+    assert_eq!(links, headings);
+}
+
 #[test]
 fn examples_start_and_are_drawn() {
     let listings = PAGE.split("```toml\n").skip(1).map(|rest| rest.split_once("```\n").unwrap());
