@@ -303,7 +303,8 @@ fn both_ends(within: [f64; 2]) -> ([f64; ENDS], usize) {
 }
 
 /// The ends of the pieces of `within` where displacements along `direction`, of which `states` has the `X_a`, keep
-/// their sign at both ends of a step, and how many ends these are: four Gauss points a piece are exact then.
+/// their sign at both ends of a step, and how many ends these are: four Gauss points a piece are exact then without
+/// damping.
 fn pieces(within: [f64; 2], length: f64, direction: &Vec3, states: &[[Vec3; 4]; 2]) -> ([f64; ENDS], usize) {
     let (mut ends, mut count) = both_ends(within);
     let states = if states[0] == states[1] { &states[1..] } else { &states[..] };
