@@ -44,7 +44,7 @@ pub unsafe extern "C" fn ancf14_load_file(
     size: usize,
 ) -> *mut ancf14_simulation {
     // SAFETY: the rules at the head of the header.
-    unsafe { load(overrides, error, size, |overrides| Ok(Simulation::open_with(text(path, "path")?, overrides)?)) }
+    unsafe { load_file(path, Reach::Inside, overrides, error, size) }
 }
 
 /// Loads the model file at `path`, which you trust: it may include files and read tables from outside of its folder,
@@ -57,11 +57,7 @@ pub unsafe extern "C" fn ancf14_load_trusted_file(
     size: usize,
 ) -> *mut ancf14_simulation {
     // SAFETY: the rules at the head of the header.
-    unsafe {
-        load(overrides, error, size, |overrides| {
-            Ok(Simulation::open_reaching(text(path, "path")?, Reach::Anywhere, overrides)?)
-        })
-    }
+    unsafe { load_file(path, Reach::Anywhere, overrides, error, size) }
 }
 
 /// Loads a model from memory: `model` is the text of a model file, `name` what messages call it. All else is as in
@@ -277,6 +273,23 @@ fn no_state() -> Mistake {
 /// A count or a number of a variable for C. No memory holds a model with more.
 fn number(count: usize) -> c_int {
     c_int::try_from(count).unwrap_or(c_int::MAX)
+}
+
+/// Loads the model file at `path`, which may name files where `reach` says.
+///
+/// # Safety
+/// As [`load`]; `path` is NULL or ends with a zero byte.
+unsafe fn load_file(
+    path: *const c_char,
+    reach: Reach,
+    overrides: *const c_char,
+    error: *mut c_char,
+    size: usize,
+) -> *mut ancf14_simulation {
+    // SAFETY: the caller's promise.
+    unsafe {
+        load(overrides, error, size, |overrides| Ok(Simulation::open_reaching(text(path, "path")?, reach, overrides)?))
+    }
 }
 
 /// Loads a simulation by `open`, given the overrides; NULL, and the reason in `error`.

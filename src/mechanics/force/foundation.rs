@@ -154,11 +154,14 @@ fn linear(stiffness: f64, damping: f64, way: Way) -> Along {
 fn pushing(stiffness: f64, damping: f64, way: Way) -> Along {
     match way {
         Way::At(u, rate, rate_by_u) => {
-            let force = stiffness * u + damping * rate;
-            if u > 0.0 || force > 0.0 {
+            if u > 0.0 {
                 return Along::default();
             }
-            let energy = 0.5 * stiffness * u * u;
+            let (force, energy) = (stiffness * u + damping * rate, 0.5 * stiffness * u * u);
+            if force > 0.0 {
+                // It never pulls, and still stores what it was pressed by.
+                return Along { energy, ..Along::default() };
+            }
             Along { force, stiffness: stiffness + damping * rate_by_u, damping, dissipated: 0.0, energy }
         }
         Way::Over([start, end], duration) => {
@@ -207,6 +210,9 @@ impl Foundation {
             }
         };
         let within = [bed.within[0], bed.within[1].min(end)];
+        if within[0] >= within[1] {
+            return;
+        }
         let (pieces, count) = match self.bedding {
             Bedding::Sided { .. } => both_ends(within),
             Bedding::Pushing { .. } => pieces(within, element.length(), &bed.axes[0].column(0).into_owned(), &ends),
@@ -329,4 +335,28 @@ fn pieces(within: [f64; 2], length: f64, direction: &Vec3, states: &[[Vec3; 4]; 
     }
     ends[..count].sort_by(f64::total_cmp);
     (ends, count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A side that lifts off fast enough that its damper would pull has no force, and still stores what it was pressed
+    /// by: 1000 N/m² by 0.01 m.
+    #[test]
+    fn a_side_that_lifts_off_keeps_its_energy() {
+        let own = pushing(1e3, 10.0, Way::At(-0.01, 2.0, 0.0));
+        assert_eq!((own.force, own.stiffness), (0.0, 0.0));
+        assert!((own.energy - 0.05).abs() < 1e-15, "{}", own.energy);
+    }
+
+    /// Over a step too the force never pulls: the spring pushes by 10 N/m at the mean, and the damper would
+    /// pull by 20.
+    #[test]
+    fn a_side_that_lifts_off_over_a_step_does_not_pull() {
+        let own = pushing(1e3, 1.0, Way::Over([-0.02, 0.0], 1e-3));
+        assert_eq!(own.force, 0.0);
+        let slow = pushing(1e3, 0.1, Way::Over([-0.02, 0.0], 1e-3));
+        assert!((slow.force + 8.0).abs() < 1e-12, "{}", slow.force);
+    }
 }

@@ -61,9 +61,7 @@ impl System {
         self.set_heats(from.instant(), &from.targets, &mut state.prescribed.heats);
         true
     }
-}
 
-impl System {
     /// Sets what the forces of this system remember to what those of `coarse` do: equilibria with friction depend on
     /// the way to them. Each cell of a contact has the displacement of the one that it is a part of.
     fn take_memory(&self, memory: &mut [f64], coarse: &Self, from: &[f64]) {

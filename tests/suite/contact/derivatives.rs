@@ -2,12 +2,10 @@
 
 use crate::random::Random;
 use crate::support::machines::built;
+use crate::support::tangent::{check_damping_matrix, forces_at_rest};
 use ancf14::math::blocks::Blocks;
-use ancf14::mechanics::input::excitation::Excitation;
-use ancf14::mechanics::marker::configuration::Passage;
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
-use ancf14::mechanics::system::frame_cache::FrameCache;
 
 /// A soft beam of two elements across `surface`, which presses into it.
 fn model(surface: &str, friction: &str) -> String {
@@ -34,23 +32,11 @@ const SURFACES: [&str; 6] = [
     "shape = \"sheave\"\naxis = [0, 1, 0]\nradius = 0.7\ngroove = 0.2\non = \"wheel\"",
 ];
 
-/// All forces at the coordinates `q`, after the accepted state `before`, and their tangent.
-fn forces_of(system: &System, before: &State, q: &[f64]) -> (Vec<f64>, Blocks) {
-    let mut frames = FrameCache::default();
-    frames.set(system, q, &before.triads);
-    let c = system.configuration(q, &frames, before, &before.prescribed);
-    let mut blocks = Blocks::default();
-    system.push_tangent_blocks(&mut blocks);
-    let mut forces = vec![0.0; q.len()];
-    system.forces_and_tangent(&c, &Passage::Rest, &Excitation::default(), 1.0, &mut forces, &mut blocks);
-    (forces, blocks)
-}
-
 /// The forces of contact alone, and the tangent of all forces.
 fn forces(system: &System, before: &State, q: &[f64]) -> (Vec<f64>, Blocks) {
     let mut without = system.clone();
     without.contacts.clear();
-    let ((whole, blocks), (beams, _)) = (forces_of(system, before, q), forces_of(&without, before, q));
+    let ((whole, blocks), (beams, _)) = (forces_at_rest(system, before, q), forces_at_rest(&without, before, q));
     (whole.iter().zip(&beams).map(|(whole, beams)| whole - beams).collect(), blocks)
 }
 
@@ -68,7 +54,7 @@ fn check(surface: &str, friction: &str, bound: f64) {
         assert!(here.iter().any(|force| *force != 0.0), "{surface} does not touch");
         let mut without = system.clone();
         without.contacts.clear();
-        let without = forces_of(&without, &state, &q).1.form(&left, &along);
+        let without = forces_at_rest(&without, &state, &q).1.form(&left, &along);
         let found = blocks.form(&left, &along) - without;
         let [plus, minus] = [1e-6, -1e-6].map(|share| forces(&system, &state, &at(share)).0);
         let expected: f64 = left.iter().zip(plus.iter().zip(&minus)).map(|(w, (a, b))| w * (a - b) / 2e-6).sum();
@@ -105,7 +91,7 @@ fn friction_that_slides_follows_the_pressure() {
     assert!(here[0].abs() > 0.1 && here[1].abs() > 0.1, "{here:?}");
     let mut without = system.clone();
     without.contacts.clear();
-    let (_, beams) = forces_of(&without, &state, &q);
+    let (_, beams) = forces_at_rest(&without, &state, &q);
     for axis in 0..3 {
         let along: Vec<f64> = (0..q.len()).map(|index| f64::from(index < 21 && index % 7 == axis)).collect();
         let found = blocks.form(&left, &along) - beams.form(&left, &along);
@@ -122,25 +108,7 @@ fn friction_that_slides_follows_the_pressure() {
 #[test]
 fn damping_matrices() {
     for surface in SURFACES {
-        let (system, mut state) = built(&model(surface, "damping = 0.3"));
-        let mut random = Random(9);
-        state.velocity = state.q.iter().map(|_| 0.1 * random.signed()).collect();
-        let [along, left] = [(); 2].map(|()| state.q.iter().map(|_| random.signed()).collect::<Vec<_>>());
-        let mut frames = FrameCache::default();
-        frames.set(&system, &state.q, &state.triads);
-        let c = system.configuration(&state.q, &frames, &state, &state.prescribed);
-        let excitation = Excitation::default();
-        let mut blocks = Blocks::default();
-        system.push_tangent_blocks(&mut blocks);
-        system.set_damping(&c, &state.velocity, &excitation, &mut blocks);
-        let found = blocks.form(&left, &along);
-        let [plus, minus] = [1e-3, -1e-3].map(|share| {
-            let velocity: Vec<f64> = state.velocity.iter().zip(&along).map(|(v, change)| v + share * change).collect();
-            let mut forces = vec![0.0; velocity.len()];
-            system.forces(&c, &Passage::with_velocity(&velocity), &excitation, &mut forces);
-            forces.iter().zip(&left).map(|(force, weight)| force * weight).sum::<f64>()
-        });
-        let expected = (plus - minus) / 2e-3;
-        assert!(found.abs() > 1e-3 && (found / expected - 1.0).abs() < 1e-8, "{surface}: {found} {expected}");
+        let (system, state) = built(&model(surface, "damping = 0.3"));
+        check_damping_matrix(&system, state, surface);
     }
 }

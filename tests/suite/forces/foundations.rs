@@ -3,13 +3,12 @@
 use crate::random::Random;
 use crate::running::{run, start, try_start, value, vector};
 use crate::support::machines::built;
+use crate::support::tangent::{check_damping_matrix, forces_at_rest};
 use ancf14::fmi::{Model, Value};
 use ancf14::math::Vec3;
-use ancf14::math::blocks::Blocks;
 use ancf14::math::rotation::rotation_matrix;
 use ancf14::mechanics::beam::ancf14::coordinates::{ELEMENT, SHAPE_PLACES};
 use ancf14::mechanics::beam::configuration::Dissipation;
-use ancf14::mechanics::input::excitation::Excitation;
 use ancf14::mechanics::marker::configuration::{Passage, TimeStep};
 use ancf14::mechanics::state::State;
 use ancf14::mechanics::system::System;
@@ -161,18 +160,6 @@ fn states_go_on_to_the_bit() {
     }
 }
 
-/// All forces at rest at the coordinates `q`, and their tangent.
-fn forces_at(system: &System, before: &State, q: &[f64]) -> (Vec<f64>, Blocks) {
-    let mut frames = FrameCache::default();
-    frames.set(system, q, &before.triads);
-    let c = system.configuration(q, &frames, before, &before.prescribed);
-    let mut blocks = Blocks::default();
-    system.push_tangent_blocks(&mut blocks);
-    let mut forces = vec![0.0; q.len()];
-    system.forces_and_tangent(&c, &Passage::Rest, &Excitation::default(), 1.0, &mut forces, &mut blocks);
-    (forces, blocks)
-}
-
 /// The tangent against central differences of the forces: 1e-6 of the largest force, by their round-off and the square of
 /// their step.
 #[test]
@@ -183,10 +170,10 @@ fn the_tangent_is_the_derivative() {
         let q: Vec<f64> = state.q.iter().map(|own| own + 0.02 * random.signed()).collect();
         let direction: Vec<f64> = q.iter().map(|_| random.signed()).collect();
         let moved = |h: f64| -> Vec<f64> { q.iter().zip(&direction).map(|(own, by)| own + h * by).collect() };
-        let (_, tangent) = forces_at(&system, &state, &q);
+        let (_, tangent) = forces_at_rest(&system, &state, &q);
         let mut product = vec![0.0; q.len()];
         tangent.multiply_add(&direction, &mut product);
-        let [plus, minus] = [1e-6, -1e-6].map(|h| forces_at(&system, &state, &moved(h)).0);
+        let [plus, minus] = [1e-6, -1e-6].map(|h| forces_at_rest(&system, &state, &moved(h)).0);
         let scale = product.iter().fold(0.0_f64, |largest, own| largest.max(own.abs()));
         for (index, own) in product.iter().enumerate() {
             let found = (plus[index] - minus[index]) / 2e-6;
@@ -313,6 +300,39 @@ fn forces_over_a_step(system: &System, before: &State, ends: [&[f64]; 2], along:
         }
     }
     [forces, product]
+}
+
+/// The damping of a foundation on both sides is in the damping matrix of modes.
+#[test]
+fn the_damping_matrix_is_the_derivative() {
+    let (system, state) = built(&rail(2, 2.0, KINDS[1], "[simulation]\nstop = 1\n"));
+    check_damping_matrix(&system, state, KINDS[1]);
+}
+
+/// A foundation that only pushes and that a bar presses down all along is one that acts on both sides, also in an element
+/// that it supports in part: the moments of sections before its end, on it and behind it are the same but for round-off.
+#[test]
+fn sections_beside_the_end_of_a_foundation() {
+    let moments = |foundation: &str| {
+        let text = rail(
+            2,
+            2.0,
+            foundation,
+            "[load.press]\non = \"rail\"\nforce = [0, 0, \"-t\"]\n\
+             [output.cut]\non = \"rail\"\nstations = 21\nquantities = [\"section_moment\"]\n\
+             [simulation]\nanalysis = \"static\"\nstop = 1\n",
+        );
+        let mut own = start(&text);
+        run(&mut own, 1.0, 1.0, |_| {});
+        (1..=21).map(|station| value(&own, &format!("cut.section_moment[{station},2]"))).collect::<Vec<_>>()
+    };
+    let pushing = moments("over = [0.2, 0.8]\npushes = [0, 0, 1]\nstiffness = 100");
+    let sided = moments("over = [0.2, 0.8]\nstiffness = [0, 0, 100]");
+    let scale = sided.iter().fold(0.0_f64, |largest, own| largest.max(own.abs()));
+    assert!(scale > 0.05, "{scale}");
+    for (station, (pushing, sided)) in pushing.iter().zip(&sided).enumerate() {
+        assert!((pushing - sided).abs() < 1e-8 * scale, "{station}: {pushing} {sided}");
+    }
 }
 
 /// Over a step the tangent is twice the derivative by the end. On both sides differences are off by their round-off,

@@ -8,3 +8,4 @@ pub mod oracle;
 pub mod oscillation;
 pub mod parts;
 pub mod sections;
+pub mod tangent;
