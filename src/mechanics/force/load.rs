@@ -4,6 +4,7 @@
 use crate::math::Vec3;
 use crate::mechanics::beam::line_load::LineLoad;
 use crate::mechanics::beam::mesh::Mesh;
+use crate::mechanics::force::track::Track;
 use crate::mechanics::geometry::marker_jacobian::{ByCoordinates, MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::axis_vector;
 use crate::mechanics::input::excitation::{HostWrench, Wrench};
@@ -36,12 +37,14 @@ pub enum LoadGuide {
 }
 
 /// Where a load acts.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Site {
     /// On a marker.
     Point(Marker),
     /// Along elements, by their numbers.
     Line(Range<usize>),
+    /// At a point that moves along a beam.
+    Moving(Box<Track>),
 }
 
 /// A load.
@@ -58,8 +61,13 @@ pub struct Load {
 }
 
 impl Load {
-    /// Its components at `time`, s; `target` is what a host gives.
+    /// Its components at `time`, s; `target` is what a host gives. They are 0 where it has left its beam.
     pub fn at(&self, time: f64, target: &HostWrench) -> Wrench {
+        if let Site::Moving(track) = &self.site
+            && !track.at(time).1
+        {
+            return Wrench::default();
+        }
         match &self.guide {
             LoadGuide::Signals { force, moment } => {
                 let value = |signals: &[Signal; 3]| Vec3::from_fn(|i, _| signals[i].at(time));
@@ -78,10 +86,44 @@ impl Load {
         components.into_iter().flatten()
     }
 
-    /// The markers that it acts on: along elements their load points.
+    /// The elements that it acts on or may come to; of a load on a marker none.
+    pub fn elements(&self) -> Range<usize> {
+        match &self.site {
+            Site::Point(_) => 0..0,
+            Site::Line(elements) => elements.clone(),
+            Site::Moving(track) => track.elements(),
+        }
+    }
+
+    /// The station of a load that moves along a beam, a function of time, and its presence there.
+    pub fn track_signals(&self) -> impl Iterator<Item = &Signal> {
+        let signals = match &self.site {
+            Site::Moving(track) => Some([&track.station, &track.presence]),
+            Site::Point(_) | Site::Line(_) => None,
+        };
+        signals.into_iter().flatten()
+    }
+
+    /// Where it is on its beam at `time` (s), a fraction of its length; 0 of a load that does not move.
+    pub fn station(&self, time: f64) -> f64 {
+        if let Site::Moving(track) = &self.site { track.at(time).0 } else { 0.0 }
+    }
+
+    /// The marker that it acts on at `time`, s; none: it acts along elements.
+    pub fn marker(&self, time: f64) -> Option<Marker> {
+        match &self.site {
+            Site::Point(marker) => Some(*marker),
+            Site::Moving(track) => Some(track.marker(track.at(time).0)),
+            Site::Line(_) => None,
+        }
+    }
+
+    /// The markers that it acts on: along elements their load points; of a moving load one of each element that it may
+    /// come to.
     pub fn markers(&self, mesh: &Mesh) -> Vec<Marker> {
         match &self.site {
             Site::Point(marker) => vec![*marker],
+            Site::Moving(track) => track.markers(mesh),
             Site::Line(elements) => {
                 let points = |number: usize| mesh.elements[number].load_points().map(|(xi, _)| (number, xi));
                 elements.clone().flat_map(points).map(|(number, xi)| Marker::section(number, xi)).collect()
@@ -90,14 +132,21 @@ impl Load {
     }
 
     /// Calls `take` with the coordinates of each part that it acts on and with the generalized force there under the
-    /// components `wrench`.
-    pub fn each_force(&self, c: &Configuration, wrench: &Wrench, mut take: impl FnMut(Range<usize>, &[f64])) {
+    /// components `wrench`, at the fraction `station` of its beam if it moves along one.
+    pub fn each_force(
+        &self,
+        c: &Configuration,
+        (wrench, station): (&Wrench, f64),
+        mut take: impl FnMut(Range<usize>, &[f64]),
+    ) {
+        let mut at_point = |marker: &Marker| {
+            let range = marker.coordinates(c.mesh);
+            let force = self.point_force(marker, c, wrench);
+            take(range.clone(), &force.as_slice()[..range.len()]);
+        };
         match &self.site {
-            Site::Point(marker) => {
-                let range = marker.coordinates(c.mesh);
-                let force = self.point_force(marker, c, wrench);
-                take(range.clone(), &force.as_slice()[..range.len()]);
-            }
+            Site::Point(marker) => at_point(marker),
+            Site::Moving(track) => at_point(&track.marker(station)),
             Site::Line(elements) => {
                 let load = self.along(wrench);
                 for element in &c.mesh.elements[elements.clone()] {

@@ -7,3 +7,4 @@ pub mod foundation;
 pub mod law;
 pub mod load;
 pub mod spring;
+pub mod track;

@@ -70,6 +70,8 @@ pub struct Excitation {
     pub gravity: Vec3,
     /// Components of the loads, in their order.
     pub wrenches: Vec<Wrench>,
+    /// Stations of the loads, in their order, fractions of the lengths of beams; 0 of those that do not move along one.
+    pub stations: Vec<f64>,
     /// Efforts of the actuators, in their order, N m or N; of those that follow coordinates the share that acts.
     pub efforts: Vec<f64>,
     /// Share of the drag of water that acts, 0 to 1; its buoyancy follows gravity.
@@ -80,10 +82,16 @@ pub struct Excitation {
 }
 
 impl Excitation {
+    /// Components and station of each load, in their order.
+    pub fn loads(&self) -> impl Iterator<Item = (&Wrench, f64)> {
+        self.wrenches.iter().zip(self.stations.iter().copied())
+    }
+
     /// Takes the values of another one, keeping its own memory.
     pub fn copy_from(&mut self, other: &Self) {
         (self.time, self.gravity, self.water) = (other.time, other.gravity, other.water);
         self.wrenches.clone_from(&other.wrenches);
+        self.stations.clone_from(&other.stations);
         self.efforts.clone_from(&other.efforts);
         self.seen.clone_from(&other.seen);
     }
@@ -98,6 +106,9 @@ impl Excitation {
             let from = start.wrenches.get(number).copied().unwrap_or_default();
             wrench.force = from.force * (1.0 - share) + wrench.force * share;
             wrench.moment = from.moment * (1.0 - share) + wrench.moment * share;
+        }
+        for (station, from) in self.stations.iter_mut().zip(&start.stations) {
+            *station = from * (1.0 - share) + *station * share;
         }
         for (number, effort) in self.efforts.iter_mut().enumerate() {
             let from = start.efforts.get(number).copied().unwrap_or_default();

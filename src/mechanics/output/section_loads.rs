@@ -74,7 +74,7 @@ impl SectionLoads<'_> {
                     }
                 }
                 _ => {
-                    let (marker, acting) = self.at_point(part);
+                    let Some((marker, acting)) = self.at_point(part, element) else { continue };
                     let jacobian = marker.jacobian(c);
                     let force = jacobian.place_q.tr_mul(&acting.force) + jacobian.turn_q.tr_mul(&acting.moment);
                     add(force.as_slice(), &mut inside);
@@ -120,18 +120,19 @@ impl SectionLoads<'_> {
         }
     }
 
-    /// Force and moment of a part that acts between the nodes of an element, with its marker.
-    fn at_point(&self, part: InnerPart) -> (Marker, Acting) {
+    /// Force and moment of a part that acts between the nodes of element `element`, with its marker; none: it moves, and
+    /// is on another element now.
+    fn at_point(&self, part: InnerPart, element: usize) -> Option<(Marker, Acting)> {
         let JointLoads { system, state, c, .. } = *self.joints;
         let side = |is_b: bool| if is_b { Side::B } else { Side::A };
         let of_coordinate = |coordinate: usize, is_b: bool| *system.sides(coordinate)[usize::from(is_b)];
-        match part {
+        let (marker, acting) = match part {
             InnerPart::Load(number) => {
                 let load = &system.loads[number];
-                let Site::Point(marker) = &load.site else { unreachable!("loads along elements are spread") };
+                let marker = load.marker(state.instant()).expect("loads along elements are spread");
                 let wrench = load.at(state.instant(), &state.targets.loads[number]);
-                let [force, moment] = load.in_space(marker, c, &wrench);
-                (*marker, Acting { position: marker.pose(c).place, force, moment })
+                let [force, moment] = load.in_space(&marker, c, &wrench);
+                (marker, Acting { position: marker.pose(c).place, force, moment })
             }
             InnerPart::Joint(number, is_b) => {
                 let joint = &system.joints[number];
@@ -146,7 +147,9 @@ impl SectionLoads<'_> {
                 let marker = of_coordinate(system.actuators[number].coordinate, is_b);
                 (marker, self.joints.of_actuator(number, side(is_b)))
             }
-        }
+        };
+        let is_here = matches!(marker, Marker::Section { element: own, .. } if own == element);
+        is_here.then_some((marker, acting))
     }
 }
 
@@ -190,7 +193,7 @@ impl ElementBalance<'_> {
             if matches!(part, InnerPart::Load(number) if matches!(system.loads[number].site, Site::Line(_))) {
                 continue;
             }
-            let (marker, acting) = self.loads.at_point(part);
+            let Some((marker, acting)) = self.loads.at_point(part, self.element) else { continue };
             let Marker::Section { xi: own, .. } = marker else { continue };
             if own < xi || (own == xi && facing == Facing::After) {
                 acting.add_about(&here, 1.0, &mut sum);

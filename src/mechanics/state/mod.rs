@@ -98,6 +98,7 @@ impl State {
             && self.time_error.is_possible(other.q.len(), other.multipliers.len(), other.relative_values.len())
             && self.pace.is_possible(other.q.len())
             && optional(self.excitation.wrenches.len(), other.targets.loads.len())
+            && optional(self.excitation.stations.len(), other.targets.loads.len())
             && optional(self.excitation.efforts.len(), other.targets.efforts.len())
             && self.held.iter().all(|held| held.index < other.q.len() && held.stiffness > 0.0)
             && self.path.as_ref().is_none_or(|path| path.tangent.len() == other.q.len() + 1)

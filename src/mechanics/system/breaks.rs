@@ -41,7 +41,7 @@ fn changes(signal: &Signal, times: [f64; 2], step: f64, derivatives: usize, shar
 impl System {
     /// All functions of time: those of loads, actuators, drives, frames and switches.
     pub fn signals(&self) -> impl Iterator<Item = &Signal> {
-        let loads = self.loads.iter().flat_map(|load| load.signals());
+        let loads = self.loads.iter().flat_map(|load| load.signals().chain(load.track_signals()));
         let actuators = self.actuators.iter().filter_map(|actuator| actuator.signal());
         let drives = self.drives.iter().filter_map(|drive| drive.signal());
         let frames = self.moving_frames.iter().flat_map(|frame| frame.signals());
@@ -89,6 +89,7 @@ impl System {
         let load = |end: f64, signal: &Signal| signal.seen_until([inside[0], end], sight);
         let motion = |end: f64, signal: &Signal| signal.motion_seen_until([inside[0], end], sight);
         let end = self.loads.iter().flat_map(|load| load.signals()).fold(inside[1], load);
+        let end = self.loads.iter().flat_map(|load| load.track_signals()).fold(end, motion);
         let end = self.actuators.iter().filter_map(|actuator| actuator.signal()).fold(end, load);
         let end = self.heats.iter().flat_map(|heat| heat.signals()).fold(end, load);
         let end = self.moving_frames.iter().flat_map(|frame| frame.signals()).fold(end, motion);
@@ -117,7 +118,7 @@ impl System {
     /// Pieces that meet smoothly change nothing.
     pub fn is_sudden(&self, time: f64, step: f64) -> bool {
         let jumps = |signal: &Signal, derivatives: usize| self.jumps_near(signal, time, step, derivatives);
-        self.loads.iter().flat_map(|load| load.signals()).any(|signal| jumps(signal, 0))
+        self.loads.iter().flat_map(|load| load.signals().chain(load.track_signals())).any(|signal| jumps(signal, 0))
             || self.actuators.iter().filter_map(|actuator| actuator.signal()).any(|signal| jumps(signal, 0))
             || self.drives.iter().filter_map(|drive| drive.signal()).any(|signal| jumps(signal, 2))
             || self.moving_frames.iter().flat_map(|frame| frame.signals()).any(|signal| jumps(signal, 2))

@@ -28,12 +28,14 @@ use crate::mechanics::contact::grip::REMEMBERED;
 use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::load::{Load, Site};
 use crate::mechanics::force::spring::Spring;
+use crate::mechanics::force::track::Track;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::excitation::{HostEffort, HostWrench};
 use crate::mechanics::input::guide::{FrameGuide, MovingFrame};
 use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::Prescribed;
+use crate::mechanics::input::signal::Signal;
 use crate::mechanics::input::switch::Hold;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
@@ -268,6 +270,13 @@ impl SystemBuilder {
     /// Along a whole beam: where a load per length acts.
     pub fn along(&self, beam: usize) -> Site {
         Site::Line(self.system.beams[beam].element_range())
+    }
+
+    /// At a point that moves along a beam: at `station`, a fraction of its length, while `presence` is not negative.
+    pub fn moving_along(&self, beam: usize, station: Signal, presence: Signal) -> Site {
+        let beam = &self.system.beams[beam];
+        let (first_element, division) = (beam.first_element, beam.division.clone());
+        Site::Moving(Box::new(Track { first_element, division, station, presence }))
     }
 
     /// Adds a rigid body and returns its number. The design is sound: positive mass, a possible inertia, orthonormal

@@ -135,7 +135,7 @@ impl System {
     fn set_load_tangent(&self, c: &Configuration, excitation: &Excitation, scale: f64, tangent: &mut Blocks) {
         let layout = TangentLayout::of(self);
         let mut points = layout.load_points();
-        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
+        for (load, (wrench, station)) in self.loads.iter().zip(excitation.loads()) {
             let is_constant = load.is_constant(wrench);
             match &load.site {
                 Site::Point(marker) => {
@@ -154,7 +154,14 @@ impl System {
                         self.mesh.elements[number].add_line_stiffness(&c.beams, &line, -scale, block);
                     }
                 }
-                Site::Line(_) => {}
+                Site::Moving(track) if !is_constant => {
+                    let marker = track.marker(station);
+                    let Marker::Section { element, .. } = marker else { unreachable!("tracks are made of sections") };
+                    let block = tangent.block_mut(layout.element(element));
+                    let count = marker.coordinates(&self.mesh).len();
+                    add_corner(block, count, &load.point_force_q(&marker, c, wrench), -scale);
+                }
+                Site::Line(_) | Site::Moving(_) => {}
             }
         }
     }
@@ -204,8 +211,8 @@ impl System {
         for body in &self.bodies {
             add(forces, body.start, (excitation.gravity * -body.mass).as_slice());
         }
-        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
-            load.each_force(c, wrench, |range, own| {
+        for (load, given) in self.loads.iter().zip(excitation.loads()) {
+            load.each_force(c, given, |range, own| {
                 forces[range].iter_mut().zip(own).for_each(|(sum, own)| *sum -= own);
             });
         }

@@ -30,8 +30,8 @@ impl System {
         for (number, load) in self.loads.iter().enumerate() {
             match &load.site {
                 Site::Point(marker) => add(marker, InnerPart::Load(number)),
-                Site::Line(elements) => {
-                    elements.clone().for_each(|element| add(&Marker::section(element, 0.0), InnerPart::Load(number)));
+                Site::Line(_) | Site::Moving(_) => {
+                    load.elements().for_each(|element| add(&Marker::section(element, 0.0), InnerPart::Load(number)));
                 }
             }
         }

@@ -79,9 +79,9 @@ impl System {
         factor: f64,
         forces: &mut [f64],
     ) {
-        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches).filter(|(load, _)| load.may_turn()) {
-            if !load.is_constant(wrench) {
-                load.each_force(c, wrench, |range, own| {
+        for (load, given) in self.loads.iter().zip(excitation.loads()).filter(|(load, _)| load.may_turn()) {
+            if !load.is_constant(given.0) {
+                load.each_force(c, given, |range, own| {
                     forces[range].iter_mut().zip(own).for_each(|(sum, own)| *sum -= factor * own);
                 });
             }

@@ -163,6 +163,8 @@ impl System {
         excitation.water = if self.water.is_some() { 1.0 } else { 0.0 };
         excitation.wrenches.clear();
         excitation.wrenches.extend(self.loads.iter().zip(&targets.loads).map(|(load, target)| load.at(time, target)));
+        excitation.stations.clear();
+        excitation.stations.extend(self.loads.iter().map(|load| load.station(time)));
         excitation.efforts.clear();
         let actuators = self.actuators.iter().zip(&targets.efforts);
         excitation.efforts.extend(actuators.map(|(actuator, target)| actuator.at(time, target)));
@@ -456,7 +458,7 @@ impl System {
     pub fn find_held_nodes(&mut self) {
         let loads = self.loads.iter().filter_map(|load| match &load.site {
             Site::Point(marker) => Some(marker),
-            Site::Line(_) => None,
+            Site::Line(_) | Site::Moving(_) => None,
         });
         let joints = self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]);
         let springs = self.springs.iter().flat_map(|spring| self.sides(spring.coordinate));

@@ -124,8 +124,8 @@ impl System {
         change: &[f64],
     ) -> [f64; 2] {
         let (mut of_loads, mut of_actuators) = (0.0, 0.0);
-        for (load, wrench) in self.loads.iter().zip(&excitation.wrenches) {
-            load.each_force(c, wrench, |range, own| of_loads += dot(own, &change[range]));
+        for (load, given) in self.loads.iter().zip(excitation.loads()) {
+            load.each_force(c, given, |range, own| of_loads += dot(own, &change[range]));
         }
         for (actuator, effort) in self.efforts(c, passage, excitation) {
             let parts = actuator::force(&self.relative_coordinates[actuator.coordinate], c, effort);

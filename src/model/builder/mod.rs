@@ -143,6 +143,30 @@ fn function_signal(document: &Document, function: Function, origin: f64) -> Sign
     pieces(function, origin, breaks, bounds)
 }
 
+/// Whether a station, a number of the file, is on its beam: 1 between 0 and 1, 0 at both, else -1.
+fn presence(document: &Document, station: Number) -> Signal {
+    let function = document.function(station);
+    let is_on = |station: Jet| station.sign().min((Jet::constant(1.0) - station).sign());
+    if function.is_constant() {
+        return Signal::Constant(is_on(Jet::constant(function.value(0.0))).value);
+    }
+    let span = document.span();
+    let breaks = function.breaks(span);
+    let function = Arc::new(function);
+    let own = function.clone();
+    // In the very operations of `is_on`: both then switch at the same number.
+    let bounds = move |interval| {
+        let station = own.over(interval);
+        station.sign().min((Bounds::constant(1.0) - station).sign())
+    };
+    Signal::Pieces(Arc::new(Pieces {
+        jet: Box::new(move |time| is_on(function.jet(time))),
+        breaks,
+        undefined: Box::new(|_| None),
+        bounds: Some(TimeBounds { bounds: Box::new(bounds), peak: 1.0 }),
+    }))
+}
+
 /// The function of time that a number of the file is, with `breaks` of its own.
 fn signal_with(document: &Document, number: Number, breaks: Vec<f64>) -> Signal {
     let function = document.function(number);

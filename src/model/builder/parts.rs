@@ -1,6 +1,6 @@
 //! Beams, bodies, frames and loads of the file as parts of the system.
 
-use super::{Builder, nearest_axes, signal, signal_from, tune, vector};
+use super::{Builder, nearest_axes, presence, signal, signal_from, tune, vector};
 use crate::math::Mat3;
 use crate::mechanics::beam::ancf14::natural::Prestress;
 use crate::mechanics::beam::centerline::Centerline;
@@ -119,6 +119,9 @@ impl Builder<'_> {
                 Site::Point(marker)
             }
             Target::On(beam) => self.system.along(*beam),
+            Target::Moving { beam, station } => {
+                self.system.moving_along(*beam, signal(self.document, *station), presence(self.document, *station))
+            }
         };
         let signals = |numbers: [Number; 3]| numbers.map(|number| signal(self.document, number));
         self.system.add_load(load::Load {

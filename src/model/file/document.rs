@@ -226,7 +226,7 @@ impl Document {
         });
         let loads = self.loads.iter().filter_map(|load| match load.target {
             Target::At(anchor) => Some(anchor),
-            Target::On(_) => None,
+            Target::On(_) | Target::Moving { .. } => None,
         });
         springs.chain(actuators.flatten()).chain(loads)
     }

@@ -272,7 +272,7 @@ fn anchors(document: &Document) -> impl Iterator<Item = (String, Spot)> + '_ {
     });
     let loads = document.loads.iter().filter_map(|load| match load.target {
         load::Target::At(anchor) => Some((at(document, "load", &load.name), anchor)),
-        load::Target::On(_) => None,
+        load::Target::On(_) | load::Target::Moving { .. } => None,
     });
     let outputs = document
         .outputs

@@ -133,7 +133,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
     }
     let loaded = document.loads.iter().filter_map(|load| match &load.target {
         load::Target::At(anchor) => Some(anchor),
-        load::Target::On(_) => None,
+        load::Target::On(_) | load::Target::Moving { .. } => None,
     });
     let watched = document.outputs.iter().filter_map(|output| output.target.anchor());
     let observers = document.outputs.iter().filter_map(|output| Some(&output.observer.as_ref()?.anchor));

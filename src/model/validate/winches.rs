@@ -32,7 +32,7 @@ impl Checker<'_> {
         for load in &document.loads {
             match load.target {
                 Target::At(anchor) => held.push(("load", &load.name, anchor)),
-                Target::On(beam) if beam == winch.beam => {
+                Target::On(beam) | Target::Moving { beam, .. } if beam == winch.beam => {
                     let message = format!("winch {} pays out a beam with load {} along it", winch.name, load.name);
                     let label = "a beam that is paid out has its weight along it, and no other load";
                     self.mistake(
@@ -42,7 +42,7 @@ impl Checker<'_> {
                         "apply the load to the far end of the beam, or to another beam",
                     );
                 }
-                Target::On(_) => {}
+                Target::On(_) | Target::Moving { .. } => {}
             }
         }
         for (kind, name, anchor) in held {

@@ -247,6 +247,10 @@ impl Artist<'_> {
         for load in &self.document.loads {
             let places = match load.target {
                 load::Target::At(anchor) => self.point(anchor).into_iter().collect(),
+                load::Target::Moving { beam, station } => {
+                    let at = self.document.function(station).value(0.0).clamp(0.0, 1.0);
+                    self.lines.line(beam).map(|line| line.place(at).into()).into_iter().collect()
+                }
                 load::Target::On(beam) => {
                     let line = self.lines.line(beam);
                     line.map_or(Vec::new(), |line| LINE_LOAD.map(|fraction| line.place(fraction).into()).to_vec())

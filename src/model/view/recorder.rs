@@ -3,6 +3,7 @@
 use super::scene::{Scene, Watched};
 use super::stations::{RESULTS, Stations, quaternion, steps};
 use crate::math::Vec3;
+use crate::mechanics::force::load::Site;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::output::joint_loads::JointLoads;
@@ -193,6 +194,8 @@ fn look(watched: &Watched, system: &System, state: &State, c: &Configuration, se
     for (number, marker) in &watched.arrows {
         let load = &system.loads[*number];
         let wrench = load.at(state.instant(), &state.targets.loads[*number]);
+        let moving = matches!(load.site, Site::Moving(_)).then(|| load.marker(state.instant())).flatten();
+        let marker = moving.as_ref().unwrap_or(marker);
         let [force, moment] = load.in_space(marker, c, &wrench);
         arrow_places.extend(place(marker).iter());
         forces.extend(force.iter());

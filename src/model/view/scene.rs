@@ -4,6 +4,7 @@ use super::profile::{Profile, Solid};
 use super::stations::{Stations, ranges};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::Beam;
+use crate::mechanics::force::load::Site;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
@@ -145,7 +146,9 @@ impl Watched {
         });
         let arrows = system.loads.iter().enumerate().flat_map(|(number, load)| {
             let markers = load.markers(&system.mesh);
-            let every = markers.len().div_ceil(LINE_ARROWS).max(1);
+            // One of a moving load, which is looked up where it is.
+            let arrows = if matches!(load.site, Site::Moving(_)) { 1 } else { LINE_ARROWS };
+            let every = markers.len().div_ceil(arrows).max(1);
             markers.into_iter().skip(every / 2).step_by(every).map(move |marker| (number, marker))
         });
         let mut sensor = 0;

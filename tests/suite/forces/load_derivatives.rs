@@ -132,7 +132,7 @@ fn check_loads_along_elements() {
         let elements = 0..machine.mesh.elements.len();
         let line = load(Site::Line(elements.clone()));
         let mut told = Vec::new();
-        line.each_force(&c, &wrench, |range, own| told.push((range, own.to_vec())));
+        line.each_force(&c, (&wrench, 0.0), |range, own| told.push((range, own.to_vec())));
         assert_eq!(told.len(), elements.len());
         let whole = line.markers(&machine.mesh);
         for number in elements {

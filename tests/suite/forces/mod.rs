@@ -10,6 +10,7 @@ pub mod law_derivatives;
 pub mod laws;
 pub mod load_derivatives;
 pub mod loads;
+mod moving_loads;
 pub mod observers;
 pub mod points;
 pub mod spring_derivatives;

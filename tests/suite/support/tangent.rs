@@ -10,13 +10,18 @@ use ancf14::mechanics::system::frame_cache::FrameCache;
 
 /// All forces at rest at the coordinates `q`, after the accepted state `before`, and their tangent.
 pub fn forces_at_rest(system: &System, before: &State, q: &[f64]) -> (Vec<f64>, Blocks) {
+    forces_under(system, before, q, &Excitation::default())
+}
+
+/// The same under what acts from outside.
+pub fn forces_under(system: &System, before: &State, q: &[f64], excitation: &Excitation) -> (Vec<f64>, Blocks) {
     let mut frames = FrameCache::default();
     frames.set(system, q, &before.triads);
     let c = system.configuration(q, &frames, before, &before.prescribed);
     let mut blocks = Blocks::default();
     system.push_tangent_blocks(&mut blocks);
     let mut forces = vec![0.0; q.len()];
-    system.forces_and_tangent(&c, &Passage::Rest, &Excitation::default(), 1.0, &mut forces, &mut blocks);
+    system.forces_and_tangent(&c, &Passage::Rest, excitation, 1.0, &mut forces, &mut blocks);
     (forces, blocks)
 }
 

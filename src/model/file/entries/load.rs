@@ -1,7 +1,7 @@
 //! `[load.NAME]`: a force and a moment at a point of a beam or at a body, or along a beam.
 
 use super::Parts;
-use crate::model::file::number::Number;
+use crate::model::file::number::{Number, Numbers};
 use crate::model::file::reader::Reader;
 use crate::model::file::reader::anchor::{Anchor, LOADED, Spot};
 use crate::model::file::reader::input::{HELD, make_input};
@@ -12,7 +12,8 @@ use crate::model::text::names::Kind;
 /// The keys of the section.
 pub(super) const KEYS: &[Key] = &[
     Key::name("at", Role::Name(PLACES), "the point of a beam or the body that it acts on"),
-    Key::name("on", Role::Name(PLACES), "the beam that it is spread over, instead of `at`"),
+    Key::name("on", Role::Name(PLACES), "the beam that it is spread over or moves along, instead of `at`"),
+    Key::number(&[&STATION]),
     Key::global(&[&FORCE, &FORCE_PER_LENGTH], Role::Direction),
     Key::global(&[&MOMENT, &MOMENT_PER_LENGTH], Role::Direction),
     Key::flag("follower", "true: it turns with what it acts on"),
@@ -21,6 +22,12 @@ pub(super) const KEYS: &[Key] = &[
 
 const FORCE: Rule = Rule::new("force", "force", "N").tunable().in_time();
 const MOMENT: Rule = Rule::new("moment", "moment", "N.m").tunable().in_time();
+const STATION: Rule = Rule::new(
+    "station",
+    "where on the beam `on` it acts: a fraction of the length, 0 at the start, 1 at the end; beyond them it acts on nothing",
+    "",
+)
+.in_time();
 const FORCE_PER_LENGTH: Rule = Rule::new("force", "force per length", "N/m").tunable().in_time();
 const MOMENT_PER_LENGTH: Rule = Rule::new("moment", "moment per length", "N").tunable().in_time();
 
@@ -50,6 +57,13 @@ pub enum Target {
     At(Anchor),
     /// A whole beam, by its place in the list: force and moment are per length.
     On(usize),
+    /// A beam, by its place in the list, along which it moves.
+    Moving {
+        /// The beam.
+        beam: usize,
+        /// Where on it: a fraction of its length; may change in time.
+        station: Number,
+    },
 }
 
 /// Whether a load can move what it acts on; if not, that is reported.
@@ -64,8 +78,13 @@ fn moves(reader: &mut Reader<'_, '_>, anchor: &Anchor) -> bool {
 
 impl LoadSpec {
     pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
-        let along = reader.has("on");
-        let target = if along {
+        let moves_along = reader.has("station");
+        let along = reader.has("on") && !moves_along;
+        let target = if moves_along {
+            let station = reader.number(&STATION);
+            reader.exclude("at", "station");
+            reader.reference("on", Kind::Beam).map(|beam| Target::Moving { beam, station })
+        } else if along {
             reader.exclude("at", "on");
             reader.reference("on", Kind::Beam).map(Target::On)
         } else {
@@ -104,5 +123,14 @@ impl LoadSpec {
         let place = reader.place;
         reader.finish();
         Some(Self { name: name.to_owned(), place, target: target?, force, moment, follower, input })
+    }
+
+    /// A reason why its numbers do not go together, with the number to blame.
+    pub(super) fn objection(&self, numbers: &Numbers) -> Option<(Number, String)> {
+        let Target::Moving { station, .. } = self.target else { return None };
+        let is_off = !(0.0..=1.0).contains(&numbers.value(station)) && numbers.function(station).is_constant();
+        is_off.then(|| {
+            (station, String::from("must be from 0 to 1: beyond the ends of the beam the load acts on nothing"))
+        })
     }
 }

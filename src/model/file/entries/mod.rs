@@ -117,7 +117,9 @@ impl Parts {
     pub(super) fn objections(&self, numbers: &Numbers) -> impl Iterator<Item = (Number, String)> {
         let sections = self.sections.iter().filter_map(|own| own.objection(|number| numbers.value(number)));
         let surfaces = self.surfaces.iter().filter_map(|own| own.objection(|number| numbers.value(number)));
-        sections.chain(surfaces).chain(self.foundations.iter().filter_map(|own| own.objection(numbers)))
+        let foundations = self.foundations.iter().filter_map(|own| own.objection(numbers));
+        let loads = self.loads.iter().filter_map(|own| own.objection(numbers));
+        sections.chain(surfaces).chain(foundations).chain(loads)
     }
 }
 
