@@ -134,6 +134,19 @@ t = decimal(*.time)
         /// The joint.
         joint: String,
     },
+    /// A joint that slides along a beam has come to its end.
+    #[error(
+        "{joint} has come to an end of beam {beam} at t = {t} s: hold it before with a spring to the end, let it turn back earlier, or draw the beam longer",
+t = decimal(*.time)
+)]
+    SlidOff {
+        /// Time of the step's end, s.
+        time: f64,
+        /// The joint.
+        joint: String,
+        /// The beam.
+        beam: String,
+    },
     /// A bushing is turned so far that its rotation vector ends.
     #[error(
         "the bushing {bushing} is turned by {angle:.0} degrees at t = {t} s: a bushing is valid up to 170 degrees; use a joint with a free rotation",

@@ -6,6 +6,8 @@
 
 use super::gear::GearSide;
 use super::primitive::{MOST_ROWS, Primitive};
+use super::slide::Slide;
+use crate::math::Vec3;
 use crate::math::jet::Jet;
 use crate::mechanics::geometry::marker_jacobian::{MARKER, MarkerMatrix};
 use crate::mechanics::geometry::pose::{Pose, VECTORS};
@@ -15,6 +17,7 @@ use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::own_velocity;
 use crate::mechanics::marker::pose_gradient::{PoseGradient, of_side, pull_back};
+use crate::mechanics::marker::relative_coordinate::Measure;
 use nalgebra::SMatrix;
 
 /// Most conditions a joint has.
@@ -35,8 +38,19 @@ pub struct Joint {
     pub drive: Option<usize>,
     /// How its only primitive enters the condition of a gear, if it does.
     pub gear: Option<GearSide>,
+    /// The element that it holds b to, if b slides along a beam.
+    pub slide: Option<Slide>,
     /// What engages and releases it; none: it always holds.
     pub holding: Option<Holding>,
+}
+
+/// Where side a holds b now.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Settled {
+    /// Side a where the joint has engaged anew or where b has slid to; none: as drawn.
+    carried: Option<Marker>,
+    /// The curvature vector of a beam at b, which slides along it, 1/m.
+    bend: Vec3,
 }
 
 /// How a switch works on a joint.
@@ -105,7 +119,7 @@ impl Joint {
     }
 
     /// Side a where the joint has engaged anew: at the pose that side b had then; none: as drawn.
-    pub fn carried(&self, c: &Configuration) -> Option<Marker> {
+    fn carried(&self, c: &Configuration) -> Option<Marker> {
         match (self.holding, self.hold(c)) {
             (Some(Holding { held: Held::Pose, .. }), Some(hold)) if hold.pose != Pose::default() => {
                 Some(self.a.carried(&hold.pose.place, &hold.pose.axes))
@@ -114,13 +128,32 @@ impl Joint {
         }
     }
 
-    /// Both sides as they hold each other, with what [`Self::carried`] gives.
-    pub fn sides<'j>(&'j self, carried: &'j Option<Marker>) -> [&'j Marker; 2] {
-        [carried.as_ref().unwrap_or(&self.a), &self.b]
+    /// Where it holds; none: it imposes nothing, since it is released, or b slides on another element.
+    pub fn settle(&self, c: &Configuration) -> Option<Settled> {
+        if self.is_released(c) {
+            return None;
+        }
+        let Some(slide) = &self.slide else {
+            return Some(Settled { carried: self.carried(c), bend: Vec3::zeros() });
+        };
+        let nearest = slide.nearest(c, &self.b.pose(c).place);
+        let is_here = nearest.element == slide.element;
+        is_here.then(|| Settled { carried: Some(nearest.marker()), bend: nearest.bend })
     }
 
-    /// Whether its part is added to the condition of the joint before it: it is the second side of a gear.
-    pub fn shares_condition(&self) -> bool {
+    /// Both sides as they hold each other, with what [`Self::settle`] gives.
+    pub fn sides<'j>(&'j self, settled: &'j Settled) -> [&'j Marker; 2] {
+        [settled.carried.as_ref().unwrap_or(&self.a), &self.b]
+    }
+
+    /// Whether its part is added to the conditions of the joint before it: it is the second side of a gear, or holds to
+    /// another element of the beam that b slides along.
+    pub fn shares_conditions(&self) -> bool {
+        self.is_second_side() || self.slide.as_ref().is_some_and(|slide| !slide.is_first())
+    }
+
+    /// Whether it is the second side of a gear.
+    pub fn is_second_side(&self) -> bool {
         self.gear.as_ref().is_some_and(|side| side.is_second)
     }
 
@@ -136,12 +169,11 @@ impl Joint {
 
     /// The conditions, zero when they hold; m or 1.
     pub fn phi(&self, c: &Configuration, phi: &mut [f64]) {
-        if self.is_released(c) {
+        let Some(settled) = self.settle(c) else {
             phi.fill(0.0);
             return;
-        }
-        let carried = self.carried(c);
-        let [a, b] = self.sides(&carried).map(|side| side.pose(c));
+        };
+        let [a, b] = self.sides(&settled).map(|side| side.pose(c));
         if let Some(part) = self.gear_part(c, &a, &b) {
             phi[0] = part.value;
             return;
@@ -187,21 +219,21 @@ impl Joint {
 
     /// Sets `gradient` to `∂phi/∂q` of both sides.
     pub fn phi_q(&self, c: &Configuration, gradient: &mut JointGradient) {
-        if self.is_released(c) {
-            *gradient = JointGradient { is_released: true, ..JointGradient::default() };
+        let Some(settled) = self.settle(c) else {
+            *gradient = JointGradient { is_released: self.slide.is_none(), ..JointGradient::default() };
             return;
-        }
+        };
         gradient.is_released = false;
-        let carried = self.carried(c);
-        let [a, b] = self.sides(&carried);
+        let [a, b] = self.sides(&settled);
         let poses = [a.pose(c), b.pose(c)];
         let mut rows_x = [PairVector::zeros(); MOST_CONDITIONS];
         let rows_x = self.rows_x(&poses[0], &poses[1], self.gear_part(c, &poses[0], &poses[1]), &mut rows_x);
         gradient.set(&[a.pose_q(c), b.pose_q(c)], rows_x);
     }
 
-    /// Second derivative of `lambda·phi` by the vectors of both poses; `part` is [`Self::gear_part`].
-    fn stiffness_x(&self, a: &Pose, b: &Pose, part: Option<Jet>, lambda: &[f64]) -> PairHessian {
+    /// Second derivative of `lambda·phi` by the vectors of both poses; `part` is [`Self::gear_part`], `bend` that of
+    /// [`Settled`].
+    fn stiffness_x(&self, [a, b]: [&Pose; 2], bend: &Vec3, part: Option<Jet>, lambda: &[f64]) -> PairHessian {
         let mut hessian = PairHessian::default();
         let mut row = 0;
         for primitive in self.primitives {
@@ -216,6 +248,11 @@ impl Joint {
             }
             row += primitive.rows();
         }
+        if self.slide.is_some() {
+            // As b slides, the axes turn with the curve (MECHANICS 6).
+            let bent: f64 = lambda.iter().zip(1..).map(|(lambda, axis)| lambda * bend.dot(&a.axis(axis))).sum();
+            Measure::Distance(0).add_square(a, b, -bent, &mut hessian);
+        }
         hessian
     }
 
@@ -228,14 +265,13 @@ impl Joint {
         gradient: &mut JointGradient,
         blocks: &mut [MarkerMatrix; 4],
     ) {
-        if self.is_released(c) {
-            self.phi_q(c, gradient);
+        let Some(settled) = self.settle(c) else {
+            *gradient = JointGradient { is_released: self.slide.is_none(), ..JointGradient::default() };
             blocks.iter_mut().for_each(|block| block.fill(0.0));
             return;
-        }
+        };
         gradient.is_released = false;
-        let carried = self.carried(c);
-        let own = self.sides(&carried);
+        let own = self.sides(&settled);
         let [a, b] = own.map(|side| side.pose(c));
         let part = self.gear_part(c, &a, &b);
         let mut rows_x = [PairVector::zeros(); MOST_CONDITIONS];
@@ -243,18 +279,17 @@ impl Joint {
         // They are large: `map` would copy them.
         let sides = [own[0].pose_q(c), own[1].pose_q(c)];
         gradient.set(&sides, rows_x);
-        let (force, stiffness) = (weighted(rows_x, lambda), self.stiffness_x(&a, &b, part, lambda));
+        let (force, stiffness) = (weighted(rows_x, lambda), self.stiffness_x([&a, &b], &settled.bend, part, lambda));
         pull_back(c, own, &sides, &force, &stiffness, blocks);
     }
 
     /// `phi''` at an instant without the part of the accelerations, `v·phi_qq·v + 2 phi_qt·v + phi_tt`, row after row.
     pub fn phi_tt(&self, c: &Configuration, velocity: &[f64], phi_tt: &mut [f64]) {
-        if self.is_released(c) {
+        let Some(settled) = self.settle(c) else {
             phi_tt.fill(0.0);
             return;
-        }
-        let carried = self.carried(c);
-        let sides = self.sides(&carried);
+        };
+        let sides = self.sides(&settled);
         let [a, b] = sides.map(|side| side.pose(c));
         let (mut rate, mut acceleration) = (PairVector::zeros(), PairVector::zeros());
         for (side, marker) in sides.into_iter().enumerate() {
@@ -271,23 +306,22 @@ impl Joint {
         for (row, phi_tt) in phi_tt.iter_mut().enumerate() {
             let mut unit = [0.0; MOST_CONDITIONS];
             unit[row] = 1.0;
-            let stiffness = self.stiffness_x(&a, &b, part, &unit[..rows_x.len()]);
+            let stiffness = self.stiffness_x([&a, &b], &settled.bend, part, &unit[..rows_x.len()]);
             *phi_tt = stiffness.times(&rate).dot(&rate) + rows_x[row].dot(&acceleration) - self.prescribed(c).second;
         }
     }
 
     /// `∂phi/∂t` at fixed coordinates, row after row.
     pub fn phi_t(&self, c: &Configuration, phi_t: &mut [f64]) {
-        if self.is_released(c) {
+        let Some(settled) = self.settle(c) else {
             phi_t.fill(0.0);
             return;
-        }
+        };
         if ![self.a, self.b].iter().any(|side| matches!(side, Marker::Frame { .. })) {
             phi_t.fill(0.0 - self.prescribed(c).first);
             return;
         }
-        let carried = self.carried(c);
-        let sides = self.sides(&carried);
+        let sides = self.sides(&settled);
         let moving = sides.map(|marker| marker.pose_t(c)[0].vectors());
         let [a, b] = sides.map(|side| side.pose(c));
         let mut rows_x = [PairVector::zeros(); MOST_CONDITIONS];
@@ -300,19 +334,16 @@ impl Joint {
 
     /// `∂(lambda·phi)/∂X` by the vectors of both poses: minus the forces of the joint on them.
     pub fn phi_x(&self, c: &Configuration, lambda: &[f64]) -> PairVector {
-        if self.is_released(c) {
-            return PairVector::zeros();
-        }
-        let carried = self.carried(c);
-        let [a, b] = self.sides(&carried).map(|side| side.pose(c));
+        let Some(settled) = self.settle(c) else { return PairVector::zeros() };
+        let [a, b] = self.sides(&settled).map(|side| side.pose(c));
         let mut rows_x = [PairVector::zeros(); MOST_CONDITIONS];
         weighted(self.rows_x(&a, &b, self.gear_part(c, &a, &b), &mut rows_x), lambda)
     }
 
     /// Whether the sides are as meant, not half-turn relatives of it (MECHANICS 6).
     pub fn is_upright(&self, c: &Configuration) -> bool {
-        let carried = self.carried(c);
-        let [a, b] = self.sides(&carried).map(|side| side.pose(c));
-        self.is_released(c) || self.primitives.iter().all(|primitive| primitive.is_upright(&a, &b))
+        let Some(settled) = self.settle(c) else { return true };
+        let [a, b] = self.sides(&settled).map(|side| side.pose(c));
+        self.primitives.iter().all(|primitive| primitive.is_upright(&a, &b))
     }
 }

@@ -11,6 +11,7 @@ pub mod primitive;
 pub mod prismatic;
 pub mod revolute;
 pub mod rigidity;
+pub mod slide;
 pub mod spherical;
 pub mod universal;
 pub mod weld;

@@ -32,6 +32,7 @@ impl RigidBody {
             primitives: PRIMITIVES,
             drive: None,
             gear: None,
+            slide: None,
             holding: None,
         }
     }
@@ -48,6 +49,7 @@ pub fn section_rigidity(name: String, start: usize) -> Joint {
         primitives: RIGID,
         drive: None,
         gear: None,
+        slide: None,
         holding: None,
     }
 }

@@ -45,7 +45,11 @@ pub struct JointLoads<'a> {
 impl JointLoads<'_> {
     /// Force (N) and moment (N m) that b receives through the joint of these `parts`, at b's place, in global axes.
     pub fn reaction(&self, parts: &JointParts) -> (Vec3, Vec3) {
-        let joints = parts.joint.into_iter().chain(parts.drives.iter().map(|drive| self.drive(*drive)));
+        let joints = parts
+            .joint
+            .into_iter()
+            .flat_map(|joint| self.system.entries(joint))
+            .chain(parts.drives.iter().map(|drive| self.drive(*drive)));
         let joints = joints.chain(parts.locks.iter().map(|lock| self.lock(*lock)));
         let joints = joints.chain(parts.gears.iter().map(|(gear, is_second)| self.gear(*gear, *is_second)));
         let by_joints = joints.map(|joint| self.of_joint(joint, Side::B));
@@ -152,8 +156,9 @@ impl JointLoads<'_> {
     pub(super) fn of_joint(&self, number: usize, side: Side) -> Acting {
         let joint = &self.system.joints[number];
         let lambda = &self.multipliers[self.rows(number)];
-        let carried = joint.carried(self.c);
-        self.acting(joint.sides(&carried), side, &-joint.phi_x(self.c, lambda))
+        // An entry that holds nothing now acts nowhere, with no force.
+        let settled = joint.settle(self.c).unwrap_or_default();
+        self.acting(joint.sides(&settled), side, &-joint.phi_x(self.c, lambda))
     }
 
     pub(super) fn of_spring(&self, number: usize, side: Side) -> Acting {

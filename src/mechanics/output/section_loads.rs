@@ -136,8 +136,8 @@ impl SectionLoads<'_> {
             }
             InnerPart::Joint(number, is_b) => {
                 let joint = &system.joints[number];
-                let carried = joint.carried(c);
-                (*joint.sides(&carried)[usize::from(is_b)], self.joints.of_joint(number, side(is_b)))
+                let settled = joint.settle(c)?;
+                (*joint.sides(&settled)[usize::from(is_b)], self.joints.of_joint(number, side(is_b)))
             }
             InnerPart::Spring(number, is_b) => {
                 let marker = of_coordinate(system.springs[number].coordinate, is_b);

@@ -3,6 +3,7 @@
 mod driving;
 mod foundations;
 mod heating;
+mod sliding;
 mod watching;
 
 use super::System;
@@ -28,14 +29,12 @@ use crate::mechanics::contact::grip::REMEMBERED;
 use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::load::{Load, Site};
 use crate::mechanics::force::spring::Spring;
-use crate::mechanics::force::track::Track;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::geometry::triad::Triad;
 use crate::mechanics::input::excitation::{HostEffort, HostWrench};
 use crate::mechanics::input::guide::{FrameGuide, MovingFrame};
 use crate::mechanics::input::host_motion::{Departure, Targets};
 use crate::mechanics::input::prescribed::Prescribed;
-use crate::mechanics::input::signal::Signal;
 use crate::mechanics::input::switch::Hold;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
@@ -239,6 +238,7 @@ impl SystemBuilder {
                 primitives: weld::PRIMITIVES,
                 drive: None,
                 gear: None,
+                slide: None,
                 holding: None,
             });
         }
@@ -270,13 +270,6 @@ impl SystemBuilder {
     /// Along a whole beam: where a load per length acts.
     pub fn along(&self, beam: usize) -> Site {
         Site::Line(self.system.beams[beam].element_range())
-    }
-
-    /// At a point that moves along a beam: at `station`, a fraction of its length, while `presence` is not negative.
-    pub fn moving_along(&self, beam: usize, station: Signal, presence: Signal) -> Site {
-        let beam = &self.system.beams[beam];
-        let (first_element, division) = (beam.first_element, beam.division.clone());
-        Site::Moving(Box::new(Track { first_element, division, station, presence }))
     }
 
     /// Adds a rigid body and returns its number. The design is sound: positive mass, a possible inertia, orthonormal
@@ -458,6 +451,8 @@ impl SystemBuilder {
         system.joints.extend(drive_joints);
         system.joints.extend(lock_joints);
         system.joints.extend(gear_joints);
+        let mut memory = vec![0.0; memory];
+        system.set_stations(&mut memory);
         system.collect_breaks();
         system.find_held_nodes();
         system.find_inner_parts();
@@ -474,7 +469,7 @@ impl SystemBuilder {
             momentum: vec![0.0; coordinates],
             multipliers: vec![0.0; conditions],
             constraint_momenta: vec![0.0; conditions],
-            memory: vec![0.0; memory],
+            memory,
             strain_rates: vec![0.0; system.mesh.strains() + system.relative_coordinates.len()],
             ..Lists::default()
         };

@@ -3,7 +3,7 @@
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::beam::configuration::Purpose;
 use crate::mechanics::body::kinematics::BODY;
-use crate::mechanics::constraint::joint::{Joint, JointGradient};
+use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
 use crate::mechanics::force::load::Site;
 use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
 use crate::mechanics::input::excitation::Excitation;
@@ -224,13 +224,13 @@ impl System {
         self.set_conditions(g, |joint, own| joint.phi(c, own));
     }
 
-    /// Sets `conditions` by what `set` gives for each joint; the second side of a gear adds to it.
+    /// Sets `conditions` by what `set` gives for each joint; those that share them add to them.
     fn set_conditions(&self, conditions: &mut [f64], set: impl Fn(&Joint, &mut [f64])) {
         for (joint, rows) in self.joints_with_rows() {
-            if joint.shares_condition() {
-                let mut own = [0.0];
-                set(joint, &mut own);
-                conditions[rows.start] += own[0];
+            if joint.shares_conditions() {
+                let mut own = [0.0; MOST_CONDITIONS];
+                set(joint, &mut own[..rows.len()]);
+                conditions[rows].iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
             } else {
                 set(joint, &mut conditions[rows]);
             }

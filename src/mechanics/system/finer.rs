@@ -70,6 +70,9 @@ impl System {
                 memory[own] = from[other];
             }
         }
+        for ((_, own), (_, other)) in self.slides().zip(coarse.slides()) {
+            memory[own.memory] = from[other.memory];
+        }
         for (contact, coarse) in self.contacts.iter().zip(&coarse.contacts) {
             let (Some(own), Some(other)) = (contact.friction, coarse.friction) else { continue };
             let parts = contact.elements.len() / coarse.elements.len().max(1);

@@ -67,6 +67,7 @@ impl System {
         let bodies = self.check_bodies(c, state, turn, time)?;
         let joints = self.check_joints(c, state, time)?;
         self.check_contacts(c, state, time)?;
+        self.check_slides(c, time)?;
         Ok((nodes / turn).max(bodies / turn).max(joints / LARGEST_ANGLE_CHANGE))
     }
 

@@ -19,6 +19,7 @@ mod limits;
 pub mod mass;
 pub mod middle_forces;
 pub mod rotation;
+mod slides;
 pub mod step_starts;
 mod sticking;
 mod switching;
@@ -271,15 +272,22 @@ impl System {
         self.joints_with_rows().last().map_or(0, |(_, rows)| rows.end)
     }
 
-    /// The joints, each with the numbers of its conditions: both sides of a gear have the same one.
+    /// The joints, each with the numbers of its conditions: both sides of a gear have the same one, and so have all
+    /// elements that something slides along.
     pub fn joints_with_rows(&self) -> impl Iterator<Item = (&Joint, Range<usize>)> {
         let mut end = 0;
         self.joints.iter().map(move |joint| {
             let rows = joint.rows();
-            let first = if joint.shares_condition() { end - rows } else { end };
+            let first = if joint.shares_conditions() { end - rows } else { end };
             end = first + rows;
             (joint, first..end)
         })
+    }
+
+    /// The numbers of joint `number` and of those that follow it and hold the same thing to other elements of a beam.
+    pub fn entries(&self, number: usize) -> Range<usize> {
+        let follows = |joint: &&Joint| joint.slide.as_ref().is_some_and(|slide| !slide.is_first());
+        number..number + 1 + self.joints[number + 1..].iter().take_while(follows).count()
     }
 
     /// The instant that `q` with its `frames` and `prescribed` describe, after the accepted `state`.

@@ -34,6 +34,7 @@ impl System {
                     memory[place] = dry.displaced(memory[place], way);
                 }
             }
+            self.remember_stations(&end, &mut memory);
             match over {
                 Some((middle, passage)) => self.remember_grips(middle, passage, &mut memory),
                 None if self.has_contact_friction() => {
@@ -59,7 +60,8 @@ impl System {
             let of_cell = move |number| format!("{} {beam} {} {count} {number}", contact.name, contact.surface.name);
             (0..count * REMEMBERED).map(of_cell)
         });
-        springs.chain(contacts)
+        let slides = self.slides().map(|(joint, _)| joint.name.clone());
+        springs.chain(contacts).chain(slides)
     }
 
     /// Whether contacts have friction.

@@ -193,14 +193,18 @@ impl System {
         let mut work = 0.0;
         let mut joints = self.joints_with_rows().zip(gradients).peekable();
         while let Some(((joint, rows), gradient)) = joints.next() {
-            let second = joints.next_if(|((next, _), _)| next.shares_condition());
-            if is_driven(joint) || second.as_ref().is_some_and(|((joint, _), _)| is_driven(joint)) {
-                let mut rates = [0.0; MOST_CONDITIONS];
-                let rates = &mut rates[..joint.rows()];
+            let mut is_work = is_driven(joint);
+            let mut rates = [0.0; MOST_CONDITIONS];
+            let rates = &mut rates[..joint.rows()];
+            let shares = |((next, _), _): &((&Joint, _), _)| next.shares_conditions();
+            if is_work || joints.peek().is_some_and(shares) {
                 self.add_joint_rates(joint, gradient, change, rates);
-                if let Some(((joint, _), gradient)) = second {
-                    self.add_joint_rates(joint, gradient, change, rates);
-                }
+            }
+            while let Some(((joint, _), gradient)) = joints.next_if(shares) {
+                self.add_joint_rates(joint, gradient, change, rates);
+                is_work |= is_driven(joint);
+            }
+            if is_work {
                 work -= dot(&multipliers[rows], rates);
             }
         }

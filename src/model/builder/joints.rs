@@ -35,7 +35,7 @@ use crate::model::file::entries::reading::Reading;
 use crate::model::file::entries::spring::{SpringLaw, Strength};
 use crate::model::file::entries::winch::WinchSpec;
 use crate::model::file::number::Number;
-use crate::model::file::reader::anchor::Anchor;
+use crate::model::file::reader::anchor::{Anchor, Spot};
 use std::sync::Arc;
 
 /// How far the law of a gear may be from 0 as drawn, rad or m: below the tolerance of the constraints, above the
@@ -44,6 +44,10 @@ const AS_DRAWN: f64 = 1e-9;
 
 impl Builder<'_> {
     pub(super) fn add_joint(&mut self, written: &JointSpec) {
+        if written.kind == JointKind::Slide {
+            self.add_slide(written);
+            return;
+        }
         let sides = self.sides(written);
         let switch = written.switch.map(|own| self.add_switch(format!("joint {}", written.name), own, None));
         self.joint_switches.push(switch);
@@ -51,7 +55,16 @@ impl Builder<'_> {
         let joint = conditions(written.kind).map(|primitives| {
             let [a, b] = sides;
             let name = format!("joint {}", written.name);
-            self.system.add_joint(joint::Joint { name, a, b, primitives, drive: None, gear: None, holding })
+            self.system.add_joint(joint::Joint {
+                name,
+                a,
+                b,
+                primitives,
+                drive: None,
+                gear: None,
+                slide: None,
+                holding,
+            })
         });
         let mut coordinate = |present: bool, measure| {
             let [a, b] = sides;
@@ -74,6 +87,18 @@ impl Builder<'_> {
             parts.springs.push(self.spring(&written.name, coordinate, strength, 0.0));
         }
         self.system.add_joint_parts(parts);
+    }
+
+    /// A joint that slides: b is tied to the point of the beam where it begins.
+    fn add_slide(&mut self, written: &JointSpec) {
+        self.joint_switches.push(None);
+        let Spot::Beam { beam, along } = written.a.spot else { unreachable!("a slide is on a beam") };
+        let station = self.lines.fraction(self.document, beam, along).expect("a checked place on a beam");
+        let place = self.system.drawn(&self.system.section_at(beam, station)).place;
+        let anchored = self.anchored(&written.b);
+        let b = self.system.tied(&anchored, &Pose { place, axes: Mat3::identity() });
+        let joint = self.system.add_slide(&format!("joint {}", written.name), (beam, station), b);
+        self.system.add_joint_parts(JointParts { joint: Some(joint), ..JointParts::default() });
     }
 
     /// The two sides of a joint: at its position, with its axes.
@@ -287,6 +312,6 @@ fn conditions(kind: JointKind) -> Option<&'static [Primitive]> {
         JointKind::Universal => Some(universal::PRIMITIVES),
         JointKind::Inline => Some(inline::PRIMITIVES),
         JointKind::Inplane => Some(inplane::PRIMITIVES),
-        JointKind::Bushing => None,
+        JointKind::Slide | JointKind::Bushing => None,
     }
 }

@@ -4,6 +4,7 @@
 
 use super::super::file::document::Document;
 use super::super::file::entries::beam::{BeamSpec, FEWEST_ELEMENTS};
+use super::super::file::entries::joint::JointSpec;
 use super::super::file::reader::anchor::{Along, Anchor, Spot};
 use super::super::shape::{fits, lines};
 
@@ -51,7 +52,7 @@ fn count(document: &Document, number: usize, beam: &BeamSpec) -> Option<usize> {
 
 /// Fractions of a beam at which joints hold on to nodes.
 fn held_fractions(document: &Document, number: usize) -> Vec<f64> {
-    fractions(document, number, document.joints.iter().flat_map(|joint| [joint.a, joint.b]))
+    fractions(document, number, document.joints.iter().flat_map(JointSpec::held))
 }
 
 /// Fractions of a beam at which springs, actuators and loads act.

@@ -10,6 +10,7 @@ mod meshes;
 pub mod notes;
 mod paths;
 mod sections;
+mod slides;
 mod twist;
 mod water;
 mod winches;
@@ -21,7 +22,7 @@ use super::file::entries::beam::BeamSpec;
 use super::file::entries::body::{BodySpec, Inertia};
 use super::file::entries::curve::Line;
 use super::file::entries::gear::{GearSpec, Relation};
-use super::file::entries::joint::JointSpec;
+use super::file::entries::joint::{JointKind, JointSpec};
 use super::file::entries::load;
 use super::file::entries::material::Lateral;
 use super::file::entries::stop::StopSpec;
@@ -365,6 +366,10 @@ impl Checker<'_> {
     }
 
     fn check_joint(&mut self, joint: &JointSpec) {
+        if joint.kind == JointKind::Slide {
+            self.check_slide(joint);
+            return;
+        }
         let document = self.document;
         let (a, b) = (self.node(&joint.a), self.node(&joint.b));
         let same_body = matches!(joint.a.spot, Spot::Body(_)) && joint.a.spot == joint.b.spot;

@@ -1,6 +1,6 @@
 //! Legal models that are hardly ever meant: parts that nothing holds, joints between places that do not meet, materials
 //! in other units than SI, stubby beams, angles in degrees, motions that begin with a blow, loads with a pole, steps
-//! almost as long as the motion or as an oscillation of what acts, too many switches, forces that do not do what they
+//! almost as long as the motion or as an oscillation of what acts, too many switches, loads that miss their beam, forces that do not do what they
 //! should, elements too long for what they touch, copies in one place.
 
 mod angles;
@@ -14,6 +14,7 @@ mod lines;
 mod loose;
 mod many_switches;
 mod materials;
+mod moving_loads;
 mod poles;
 mod slenderness;
 mod starts;
@@ -67,6 +68,7 @@ pub fn notes(document: &Document) -> Vec<String> {
         long_step(document).into_iter().collect(),
         fast_signals::fast_signals(document),
         many_switches::many_switches(document),
+        moving_loads::absent_loads(document),
     ];
     let mut notes = Vec::new();
     for kind in kinds {

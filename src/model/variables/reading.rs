@@ -164,6 +164,11 @@ pub(super) fn push_joint(
         _ => {
             use Quantity::{Angle, AngleAcceleration, AngleRate};
             let is_angle = matches!(quantity, Angle | AngleRate | AngleAcceleration);
+            let slid = parts.joint.and_then(|joint| system.way_slid(joint, loads.c, &moment.state.velocity));
+            if let Some([way, rate]) = slid {
+                values.push(if quantity.is_rate() { rate } else { way });
+                return;
+            }
             let coordinate = if is_angle { parts.angle } else { parts.distance };
             let coordinate = coordinate.expect("the file is refused: the joint leaves no such coordinate free");
             values.push(coordinate_of(coordinate, quantity, moment, loads.c));

@@ -136,7 +136,11 @@ impl Watched {
             let sides_of = |coordinate: usize| {
                 [system.relative_coordinates[coordinate].a, system.relative_coordinates[coordinate].b]
             };
-            let conditions = parts.joint.map(|joint| [system.joints[joint].a, system.joints[joint].b]);
+            let conditions = parts.joint.map(|joint| {
+                let joint = &system.joints[joint];
+                // A slide is drawn where it is.
+                [if joint.slide.is_some() { joint.b } else { joint.a }, joint.b]
+            });
             let springs = || parts.springs.first().map(|spring| sides_of(system.springs[*spring].coordinate));
             conditions.or_else(springs).map(|sides| (number, sides))
         });
@@ -260,6 +264,7 @@ fn word(kind: JointKind) -> &'static str {
         JointKind::Universal => "universal",
         JointKind::Inline => "inline",
         JointKind::Inplane => "inplane",
+        JointKind::Slide => "slide",
         JointKind::Bushing => "bushing",
     }
 }

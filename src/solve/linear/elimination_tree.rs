@@ -46,6 +46,9 @@ impl Unknowns {
 /// Conditions that hold a body in all its motions.
 const WELD: usize = 6;
 
+/// Most groups that a condition holds at one time: the sides of a joint or of a gear. One on more slides along a beam.
+const MOST_HELD: usize = 4;
+
 /// Without masses, how many times fewer multiplications bodies must take early than last: where they are few, one order
 /// is as good as the other, and last they have pivots for sure.
 const WORTHWHILE: u64 = 2;
@@ -143,6 +146,9 @@ fn coordinate_graph(links: &[Vec<usize>], coordinates: usize) -> Option<Vec<Vec<
     for tied in of_multipliers {
         if tied.is_empty() || tied.iter().any(|group| *group >= coordinates) {
             return None;
+        }
+        if tied.len() > MOST_HELD {
+            continue;
         }
         for group in tied {
             graph[*group].extend(tied.iter().filter(|other| *other != group));
@@ -368,7 +374,9 @@ impl<'a> Order<'a> {
             let roomy = |least: usize| tied.iter().find(|front| rooms[**front] >= least);
             let taken = |front: &&usize| has_room(rooms[**front], rows, filled.contains(&list[**front]));
             let exact = roomy(rows).filter(|_| rows == WELD);
-            let host = tied.iter().find(taken).or(exact).or(tied.last()).copied().unwrap_or_default();
+            // Of one that slides along a beam the gradient by most groups is 0: it has its pivot behind all of them.
+            let first = if tied.len() > MOST_HELD { None } else { tied.iter().find(taken).or(exact) };
+            let host = first.or(tied.last()).copied().unwrap_or_default();
             rooms[host] = rooms[host].saturating_sub(rows);
             front_of[multiplier] = host;
             members[host].push(multiplier);

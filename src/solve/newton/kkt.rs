@@ -75,7 +75,7 @@ impl Inertia {
             blocks.push(*block);
         }
         let mut gears = Vec::new();
-        for (number, pair) in system.joints.windows(2).enumerate().filter(|(_, pair)| pair[1].shares_condition()) {
+        for (number, pair) in system.joints.windows(2).enumerate().filter(|(_, pair)| pair[1].is_second_side()) {
             gears.push((number + 1, blocks.layout().len()));
             for place in 0..4 {
                 let [first, second] = [(&pair[0], place / 2), (&pair[1], place % 2)].map(|(joint, side)| {
@@ -254,7 +254,7 @@ impl Kkt {
         let coordinates = system.coordinates();
         let definite = self.definite.get_or_insert_with(|| {
             // The second sides of gears share a condition with the joint before.
-            let has_gears = system.joints.iter().any(Joint::shares_condition);
+            let has_gears = system.joints.iter().any(Joint::is_second_side);
             if has_gears { None } else { Definite::new(coordinates, &self.blocks) }
         });
         let Some(definite) = definite else { return false };

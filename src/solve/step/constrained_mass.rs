@@ -85,7 +85,7 @@ impl ConstrainedMass {
     pub fn new(system: &System, blocks: &Blocks) -> Option<Self> {
         let count = system.constraints();
         // The two sides of a gear would be two grips of one condition.
-        if count > MOST_ROWS || system.joints.iter().any(Joint::shares_condition) {
+        if count > MOST_ROWS || system.joints.iter().any(Joint::shares_conditions) {
             return None;
         }
         let mass = MassFactor::new(system.coordinates(), blocks).ok()?;

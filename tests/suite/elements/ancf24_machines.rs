@@ -44,6 +44,7 @@ fn end_of_two(kinds: [Elements; 2], elements: usize, force: Vec3, moment: Vec3) 
         primitives: weld::PRIMITIVES,
         drive: None,
         gear: None,
+        slide: None,
         holding: None,
     });
     // What is tied is rigid: on a section that is not, a torque works on r_y alone and turns it against r_z (MECHANICS

@@ -110,6 +110,7 @@ fn loaded(beam: &BeamDesign, [held, fraction]: [f64; 2], loads: &Loads, watched:
         primitives: weld::PRIMITIVES,
         drive: None,
         gear: None,
+        slide: None,
         holding: None,
     });
     let growing = |v: [f64; 3]| {

@@ -4,6 +4,7 @@ use crate::random::Random;
 use crate::running::{run, start, try_start, value, vector};
 use crate::support::machines::built;
 use crate::support::tangent::forces_under;
+use ancf14::fmi::Model;
 use ancf14::mechanics::input::excitation::Excitation;
 use ancf14::model::simulation::Simulation;
 use std::f64::consts::PI;
@@ -114,7 +115,8 @@ fn no_impulse_is_lost_at_the_ends() {
     }
 }
 
-/// The work of a moving load is the energy of the beam, to round-off of the largest.
+/// The work of a moving load is the energy of the beam, but for the share of the step: deflections of 1e-3 of the length
+/// change the stiffness by their squares.
 #[test]
 fn work_is_energy() {
     let rest = "[load.truck]\non = \"girder\"\nstation = \"t\"\nforce = [0, 2e4, -5e4]\nmoment = [1e3, 0, 0]\n\
@@ -124,9 +126,9 @@ fn work_is_energy() {
     run(&mut own, 0.05, 1.2, |own| {
         let energy = value(own, "energy.kinetic") + value(own, "energy.elastic");
         largest = largest.max(energy);
-        worst = worst.max((energy - value(own, "work.loads") - value(own, "work.drift")).abs());
+        worst = worst.max((energy - value(own, "work.loads")).abs());
     });
-    assert!(largest > 100.0 && worst < 1e-9 * largest, "{largest}, {worst:e}");
+    assert!(largest > 100.0 && worst < 1e-6 * largest, "{largest}, {worst:e}");
 }
 
 /// The tangent of a moving follower load with a moment is the derivative of its force, in each element that it comes to.
@@ -169,4 +171,21 @@ fn beyond_an_end() {
         let message = try_start(&girder(2, &rest)).err().expect("a refusal");
         assert!(message.contains("`truck.station` must be from 0 to 1"), "{message}");
     }
+}
+
+/// Who writes meters where a fraction belongs is told so; a load that crosses in a part of the run is not.
+#[test]
+fn stations_in_meters() {
+    let notes = |station: &str| {
+        let rest = format!(
+            "[load.truck]\non = \"girder\"\nstation = \"{station}\"\nforce = [0, 0, 1]\n[simulation]\nstop = 1\n"
+        );
+        start(&girder(2, &rest)).take_warnings().join("\n")
+    };
+    assert!(
+        notes("20*t").contains("truck.station is between 0 and 1, on the beam, for 5.0 % of the run"),
+        "{}",
+        notes("20*t")
+    );
+    assert!(!notes("5*t").contains("truck.station"), "{}", notes("5*t"));
 }

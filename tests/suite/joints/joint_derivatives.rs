@@ -141,7 +141,8 @@ fn check_joint_derivatives() {
         for sides in SIDES {
             let machine = Machine::new(&mut random);
             let [a, b] = sides.map(|kind| any_marker(&mut random, kind));
-            let joint = Joint { name: "joint".into(), a, b, primitives, drive: None, gear: None, holding: None };
+            let joint =
+                Joint { name: "joint".into(), a, b, primitives, drive: None, gear: None, slide: None, holding: None };
             assert_eq!(joint.rows(), rows);
             check_joint(&machine, &joint, &mut random);
         }
@@ -167,6 +168,7 @@ fn check_drive_derivatives() {
                 primitives: driven.primitives(),
                 drive: Some(0),
                 gear: None,
+                slide: None,
                 holding: None,
             };
             check_joint(&machine, &joint, &mut random);
@@ -190,7 +192,7 @@ fn check_gear_derivatives() {
             let primitives = GearSide::primitives(measure);
             check_joint(
                 &machine,
-                &Joint { name: "gear".into(), a, b, primitives, drive: None, gear, holding: None },
+                &Joint { name: "gear".into(), a, b, primitives, drive: None, gear, slide: None, holding: None },
                 &mut random,
             );
         }

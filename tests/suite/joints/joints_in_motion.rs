@@ -50,6 +50,7 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
             primitives: spherical::PRIMITIVES,
             drive: None,
             gear: None,
+            slide: None,
             holding: None,
         },
         {
@@ -62,6 +63,7 @@ pub fn machine(random: &mut Random, primitives: &'static [Primitive]) -> (System
                 primitives,
                 drive: None,
                 gear: None,
+                slide: None,
                 holding: None,
             }
         },

@@ -13,5 +13,6 @@ pub mod joints_do_no_work;
 pub mod joints_in_motion;
 pub mod moving_frames;
 pub mod reactions;
+mod slides;
 mod switched_states;
 mod switches;

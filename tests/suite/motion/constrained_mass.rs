@@ -100,6 +100,7 @@ fn conditions_depend_on_the_frames_of_their_nodes_alone() {
         primitives: weld::PRIMITIVES,
         drive: None,
         gear: None,
+        slide: None,
         holding: None,
     });
     let (system, state) = builder.finish(Vec3::zeros());

@@ -308,6 +308,7 @@ pub fn joint(
         primitives,
         drive: None,
         gear: None,
+        slide: None,
         holding: None,
     });
     [a, b]

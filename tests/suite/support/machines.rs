@@ -90,6 +90,7 @@ pub fn hold(
         primitives,
         drive: None,
         gear: None,
+        slide: None,
         holding: None,
     };
     builder.add_joint(joint);

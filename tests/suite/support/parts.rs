@@ -203,6 +203,7 @@ pub fn connect(
         primitives,
         drive: None,
         gear: None,
+        slide: None,
         holding: None,
     });
 }

@@ -41,6 +41,7 @@ impl SystemBuilder {
             primitives: driven.primitives(),
             drive: Some(number),
             gear: None,
+            slide: None,
             holding: switch.map(|switch| Holding { switch, held: Held::Coordinate(coordinate) }),
         });
         self.system.drives.push(Drive { name: name.into(), coordinate: Some(coordinate), guide, switch });
@@ -82,6 +83,7 @@ impl SystemBuilder {
             primitives: driven.primitives(),
             drive: None,
             gear: None,
+            slide: None,
             holding: Some(Holding { switch, held: Held::Coordinate(coordinate) }),
         });
         self.system.locks.push(Lock { coordinate, switch });
@@ -108,6 +110,7 @@ impl SystemBuilder {
                 primitives: GearSide::primitives(measure),
                 drive: None,
                 gear: Some(side),
+                slide: None,
                 holding: None,
             });
         }

@@ -5,7 +5,7 @@ use super::switch::{ACTIVE, SwitchSpec};
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
-use crate::model::file::reader::anchor::{Anchor, SIDES};
+use crate::model::file::reader::anchor::{Anchor, SIDES, Spot};
 use crate::model::file::schema::{Key, PLACES, Role, Rule, words_of};
 use crate::model::text::diagnostic::Place;
 
@@ -113,6 +113,8 @@ pub enum JointKind {
     Inline,
     /// All turns, and the ways in the plane normal to its axis.
     Inplane,
+    /// All turns, and the way along a beam.
+    Slide,
     /// Everything, against springs and dampers.
     Bushing,
 }
@@ -127,7 +129,7 @@ pub enum Coordinate {
 }
 
 /// The kinds: word, kind.
-const KINDS: [(&str, JointKind); 9] = [
+const KINDS: [(&str, JointKind); 10] = [
     ("weld", JointKind::Weld),
     ("spherical", JointKind::Spherical),
     ("revolute", JointKind::Revolute),
@@ -136,6 +138,7 @@ const KINDS: [(&str, JointKind); 9] = [
     ("universal", JointKind::Universal),
     ("inline", JointKind::Inline),
     ("inplane", JointKind::Inplane),
+    ("slide", JointKind::Slide),
     ("bushing", JointKind::Bushing),
 ];
 
@@ -147,7 +150,7 @@ impl JointKind {
 
     /// Whether the joint has an axis.
     pub fn has_axis(self) -> bool {
-        !matches!(self, Self::Weld | Self::Spherical | Self::Bushing)
+        !matches!(self, Self::Weld | Self::Spherical | Self::Slide | Self::Bushing)
     }
 
     /// Whether it has a second axis.
@@ -161,7 +164,7 @@ impl JointKind {
             Self::Revolute => &[Coordinate::Angle],
             Self::Cylindrical => &[Coordinate::Angle, Coordinate::Distance],
             Self::Prismatic | Self::Inline => &[Coordinate::Distance],
-            Self::Weld | Self::Spherical | Self::Universal | Self::Inplane | Self::Bushing => &[],
+            Self::Weld | Self::Spherical | Self::Universal | Self::Inplane | Self::Slide | Self::Bushing => &[],
         }
     }
 }
@@ -206,23 +209,32 @@ impl JointSpec {
         springs
     }
 
+    /// The sides that it holds at nodes of beams: a slide is anywhere on its beam.
+    pub fn held(&self) -> impl Iterator<Item = Anchor> + use<> {
+        let a = (self.kind != JointKind::Slide).then_some(self.a);
+        a.into_iter().chain([self.b])
+    }
+
     pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let kind = reader.word("type", &KINDS, None);
         let a = Anchor::read(&mut reader, "a", &SIDES);
         let b = Anchor::read(&mut reader, "b", &SIDES);
-        let at = reader.optional_vector(&AT);
+        let at = if kind == Some(JointKind::Slide) { None } else { reader.optional_vector(&AT) };
         // Without the kind nobody knows which keys belong here.
         let Some(kind) = kind else {
             reader.abandon();
             return None;
         };
         Anchor::expect_motion(&mut reader, a, b);
+        if kind == JointKind::Slide {
+            expect_beam(&mut reader, a);
+        }
         let axis = kind.has_axis().then(|| reader.vector(&AXIS));
         let axis2 = kind.has_second_axis().then(|| reader.vector(&AXIS2));
         let [angle, distance] = free_coordinates(&mut reader, kind);
         let bushing = (kind == JointKind::Bushing).then(|| Bushing::read(&mut reader));
-        let switch = if kind == JointKind::Bushing {
-            refuse_switch(&mut reader);
+        let switch = if matches!(kind, JointKind::Bushing | JointKind::Slide) {
+            refuse_switch(&mut reader, kind);
             None
         } else {
             let input = reader.boolean("input", false);
@@ -234,6 +246,17 @@ impl JointSpec {
         let [a, b] = [a?, b?];
         Some(Self { name: name.to_owned(), place, kind, a, b, at, axis, axis2, angle, distance, bushing, switch })
     }
+}
+
+/// A slide is on a beam, and where it begins there.
+fn expect_beam(reader: &mut Reader<'_, '_>, a: Option<Anchor>) {
+    if let Some(anchor) = a.filter(|anchor| !matches!(anchor, Anchor { spot: Spot::Beam { .. }, point: None, .. })) {
+        let message = format!("{} slides along no beam", reader.title);
+        let label = "a place on a beam was expected, where it begins";
+        reader.context.report.error(anchor.place, &message, label, "as in a = \"cable@0.3\", b = \"trolley\"");
+    }
+    let message = format!("{} has no `at`: it begins at a, a place on a beam", reader.title);
+    reader.refuse("at", &message, "b is held where it meets the beam");
 }
 
 /// Spring and damper on the angle and on the distance.
@@ -265,11 +288,11 @@ impl Bushing {
     }
 }
 
-/// A bushing holds by springs, which nothing releases.
-fn refuse_switch(reader: &mut Reader<'_, '_>) {
+/// A bushing holds by springs, which nothing releases, and a slide would engage anywhere.
+fn refuse_switch(reader: &mut Reader<'_, '_>, kind: JointKind) {
     for key in ["active", "input"] {
-        let message = format!("{} is a bushing, which has no `{key}`", reader.title);
-        reader.refuse(key, &message, "joints with constraints have it: take a weld, or another type");
+        let message = format!("{} is a {}, which has no `{key}`", reader.title, kind.word());
+        reader.refuse(key, &message, "other joints with constraints have it: take a weld, or another type");
     }
 }
 
@@ -278,7 +301,7 @@ fn refuse_rest(reader: &mut Reader<'_, '_>, kind: JointKind) {
     let turns = "cylindrical joints and bushings have it";
     let moves = "revolute, cylindrical, prismatic and inline joints and bushings have it";
     for (key, what, label) in [
-        ("axis", "axis", "all joints but welds, spherical joints and bushings have one"),
+        ("axis", "axis", "all joints but welds, spherical joints, slides and bushings have one"),
         ("axis2", "second axis", "universal joints have one"),
         ("stiffness", "free coordinate for a stiffness", moves),
         ("damping", "free coordinate for a damping", moves),

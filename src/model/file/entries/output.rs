@@ -3,7 +3,7 @@
 
 use super::Parts;
 use super::acting::Acting;
-use super::joint::{self, Coordinate, JointSpec};
+use super::joint::{self, Coordinate, JointKind, JointSpec};
 use super::namesakes::which;
 use super::section::Shape;
 use crate::mechanics::marker::sensor::Facing;
@@ -363,6 +363,23 @@ fn objection(parts: &Parts, row: &Row, target: Target, names: &Names) -> Option<
         (Quantity::Stress, _) => without_outline(parts, target, names),
         (Quantity::Angle | Quantity::AngleRate | Quantity::AngleAcceleration, _) => {
             without_coordinate(parts, Coordinate::Angle, target, names)
+        }
+        (Quantity::Distance | Quantity::DistanceRate, Target::Connection(Kind::Joint, joint))
+            if joint_of(parts, joint, names).is_some_and(|joint| joint.kind == JointKind::Slide) =>
+        {
+            None
+        }
+        (Quantity::DistanceAcceleration, Target::Connection(Kind::Joint, joint))
+            if joint_of(parts, joint, names).is_some_and(|joint| joint.kind == JointKind::Slide) =>
+        {
+            let name = names.name(Kind::Joint, joint)?;
+            Some(Mistake {
+                message: format!("the acceleration of the slide joint {name} cannot be measured"),
+                label: String::from("it has: distance, distance_rate"),
+                help: String::from(
+                    "the acceleration of what slides can be measured: an output `at` it, with \"acceleration\"",
+                ),
+            })
         }
         (Quantity::Distance | Quantity::DistanceRate | Quantity::DistanceAcceleration, _) => {
             without_coordinate(parts, Coordinate::Distance, target, names)

@@ -40,7 +40,7 @@ fn silent_arm(document: &Document, lines: &Lines, joint: &JointSpec, size: f64) 
     }
     // The joint is at b, and the arm on a. A weld is the same for both.
     let reaches = |side: Anchor| body(document, side).is_some_and(|body| length <= ON_BODY * gyration(document, body));
-    if reaches(joint.a) || joint.kind == JointKind::Weld && reaches(joint.b) {
+    if reaches(joint.a) || matches!(joint.kind, JointKind::Weld | JointKind::Slide) && reaches(joint.b) {
         return None;
     }
     if [joint.a, joint.b].into_iter().any(|side| is_platform(document, lines, side, APART * size)) {
@@ -48,6 +48,19 @@ fn silent_arm(document: &Document, lines: &Lines, joint: &JointSpec, size: f64) 
     }
     let place = |place: Vec3| format!("[{}, {}, {}]", shown(place[0]), shown(place[1]), shown(place[2]));
     let [first, second] = [joint.a, joint.b].map(|side| name(document, side));
+    if joint.kind == JointKind::Slide {
+        let text = format!(
+            "joint {} slides on {first}, which is drawn at [{}, {}, {}], and {second} is drawn at {}. The distance, {} m, becomes a rigid arm on {second}. Draw {second} there. \
+             If the arm is meant, put a [point.NAME] on {second} where it slides, and take that as b",
+            joint.name,
+            a[0],
+            a[1],
+            a[2],
+            place(b),
+            shown(length)
+        );
+        return Some(Note { place: joint.place, text });
+    }
     let text = format!(
         "joint {} joins places that do not meet: {first} is drawn at {}, and {second} at {}. The distance, {} m, becomes a rigid arm on {first}. Draw the parts so that \
          they meet. If the arm is meant, say where the joint is: at = {}",

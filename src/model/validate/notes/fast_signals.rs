@@ -4,6 +4,7 @@ use super::{Note, STEPS_PER_PERIOD, step_for};
 use crate::model::expression::function::Function;
 use crate::model::file::document::Document;
 use crate::model::file::entries::frame::Orientation;
+use crate::model::file::entries::load::Target;
 use crate::model::file::entries::simulation::{Analysis, Steps};
 use crate::model::file::number::Number;
 
@@ -49,6 +50,10 @@ pub fn fast_signals(document: &Document) -> Vec<Note> {
 /// The numbers that may change in time and that no host gives, but for switches.
 pub fn signals(document: &Document) -> Vec<Number> {
     let loads = document.loads.iter().filter(|load| !load.input).flat_map(|load| [load.force, load.moment].concat());
+    let stations = document.loads.iter().filter_map(|load| match load.target {
+        Target::Moving { station, .. } => Some(station),
+        Target::At(_) | Target::On(_) => None,
+    });
     let actuators = document.actuators.iter().filter(|own| !own.input).map(|own| own.effort);
     let drives = document.motions().filter(|(_, is_input)| !is_input).map(|(motion, _)| motion.number());
     let frames = document.frames.iter().filter(|frame| !frame.input).flat_map(|frame| {
@@ -58,7 +63,7 @@ pub fn signals(document: &Document) -> Vec<Number> {
         };
         frame.position.iter().chain(turn).copied().collect::<Vec<_>>()
     });
-    loads.chain(actuators).chain(drives).chain(frames).collect()
+    loads.chain(stations).chain(actuators).chain(drives).chain(frames).collect()
 }
 
 /// The shortest period below `STEPS_PER_PERIOD` steps of length `step` with which a function oscillates up to `stop`,
