@@ -202,6 +202,35 @@ t = decimal(*.time)
         /// The smallest one, m.
         least: f64,
     },
+    /// Two wheels of a rope, or a wheel and an end of it, are inside each other.
+    #[error(
+        "rope {rope} has no way from {a} to {b} at t = {t} s: one of them is inside the other; keep them apart, \
+         or take a smaller step",
+t = decimal(*.time)
+)]
+    RopeThroughWheel {
+        /// Time, s.
+        time: f64,
+        /// The rope.
+        rope: String,
+        /// The first of them.
+        a: String,
+        /// The second one.
+        b: String,
+    },
+    /// No rope is left in a span.
+    #[error(
+        "rope {rope} has no length left in span {span} at t = {t} s; give it more `length`, or haul in less",
+t = decimal(*.time)
+)]
+    RopeUsedUp {
+        /// Time, s.
+        time: f64,
+        /// The rope.
+        rope: String,
+        /// The span, from 1.
+        span: usize,
+    },
     /// A drive moves too far within one increment of a static analysis.
     #[error(
         "drive {drive} turns {turns:.1e} times from t = {begin} s to t = {end} s; a static analysis follows at most {limit} turns in each \

@@ -6,5 +6,6 @@ pub mod effort_law;
 pub mod foundation;
 pub mod law;
 pub mod load;
+pub mod rope;
 pub mod spring;
 pub mod track;

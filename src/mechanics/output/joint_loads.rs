@@ -121,6 +121,15 @@ impl JointLoads<'_> {
                 }
             }
         }
+        for (number, rope) in self.system.ropes.iter().enumerate() {
+            for (span, seats) in rope.seats.windows(2).enumerate() {
+                for (seat, side) in seats.iter().zip([Side::A, Side::B]) {
+                    if is_own(&seat.marker) {
+                        give(self.of_rope(number, span, side));
+                    }
+                }
+            }
+        }
         (force, moment)
     }
 
@@ -171,6 +180,14 @@ impl JointLoads<'_> {
         let coordinate = &self.system.relative_coordinates[self.system.actuators[number].coordinate];
         let forces = actuator::force_x(coordinate, self.c, self.actuator_effort(number));
         self.acting([&coordinate.a, &coordinate.b], side, &forces)
+    }
+
+    pub(super) fn of_rope(&self, number: usize, span: usize, side: Side) -> Acting {
+        let rope = &self.system.ropes[number];
+        let markers = [&rope.seats[span].marker, &rope.seats[span + 1].marker];
+        let tension = rope.pull(self.c, self.passage).map_or(f64::NAN, |pull| pull.pulls[rope.stretch_of(span)].value);
+        let forces = rope.reach_x(span, self.c).map_or_else(PairVector::zeros, |by_poses| by_poses * -tension);
+        self.acting(markers, side, &forces)
     }
 
     /// Forces on the vectors of both poses as force and moment on one side.

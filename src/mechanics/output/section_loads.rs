@@ -147,6 +147,11 @@ impl SectionLoads<'_> {
                 let marker = of_coordinate(system.actuators[number].coordinate, is_b);
                 (marker, self.joints.of_actuator(number, side(is_b)))
             }
+            InnerPart::Rope(number, is_b) => {
+                let rope = &system.ropes[number];
+                let (span, seat) = if is_b { (rope.spans() - 1, rope.spans()) } else { (0, 0) };
+                (rope.seats[seat].marker, self.joints.of_rope(number, span, side(is_b)))
+            }
         };
         let is_here = matches!(marker, Marker::Section { element: own, .. } if own == element);
         is_here.then_some((marker, acting))

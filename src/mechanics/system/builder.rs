@@ -3,6 +3,7 @@
 mod driving;
 mod foundations;
 mod heating;
+pub mod ropes;
 mod sliding;
 mod watching;
 

@@ -138,6 +138,7 @@ impl System {
         });
         self.add_contact_damping(c, velocity, factor, tangent);
         self.add_foundation_damping(c, velocity, factor, tangent);
+        self.add_rope_damping(c, velocity, factor, tangent);
     }
 
     /// Sets the first blocks of `tangent` to the derivative of all forces with respect to the velocities at rest, under
@@ -150,6 +151,7 @@ impl System {
         self.add_spring_and_mass_damping(c, 1.0, tangent, |spring, coordinate| spring.damping_at_rest(coordinate, c));
         self.add_contact_damping(c, &rest, 1.0, tangent);
         self.add_foundation_damping(c, &rest, 1.0, tangent);
+        self.add_rope_damping(c, &rest, 1.0, tangent);
     }
 
     /// Sets the first blocks of `tangent` to the derivative of all forces with respect to the velocities, at an instant

@@ -27,12 +27,13 @@ impl System {
         self.with_stored_energy(self.mesh.elements.iter().map(|element| element.energy(&c.beams)).sum(), c)
     }
 
-    /// The strain energy `beams` of the beams, J, and that of springs, contacts and foundations.
+    /// The strain energy `beams` of the beams, J, and that of springs, contacts, foundations and ropes.
     pub(super) fn with_stored_energy(&self, beams: f64, c: &Configuration) -> f64 {
         let energy = |spring: &Spring| spring.energy(&self.relative_coordinates[spring.coordinate], c);
         let whole = self.springs.iter().fold(beams, |sum, spring| sum + energy(spring));
         let whole = if self.contacts.is_empty() { whole } else { whole + self.contact_energy(c) };
-        if self.foundations.is_empty() { whole } else { whole + self.foundation_energy(c) }
+        let whole = if self.foundations.is_empty() { whole } else { whole + self.foundation_energy(c) };
+        if self.ropes.is_empty() { whole } else { whole + self.rope_energy(c) }
     }
 
     /// Kinetic energy with the velocities `velocity` at `c`, J.

@@ -44,6 +44,7 @@ impl System {
             push(element.clone(), body.clone());
             push(body, element);
         }
+        self.push_rope_blocks(blocks);
         self.push_reading_blocks(blocks);
     }
 
@@ -67,6 +68,7 @@ impl System {
         self.add_springs(c, passage, forces);
         self.add_contact_forces(c, passage, forces);
         self.add_foundation_forces(c, passage, 1.0, forces);
+        self.add_rope_forces(c, passage, 1.0, forces);
         self.add_water(c, passage, excitation, 1.0, forces);
     }
 
@@ -101,6 +103,7 @@ impl System {
         self.set_effort_tangent(c, passage, excitation, scale, tangent);
         self.add_contacts_and_set_tangent(c, passage, scale, forces, tangent);
         self.add_foundations_and_tangent(c, passage, scale, forces, tangent);
+        self.add_ropes_and_set_tangent(c, passage, scale, forces, tangent);
         self.add_water_and_tangent(c, passage, excitation, scale, forces, tangent);
     }
 

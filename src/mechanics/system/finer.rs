@@ -81,6 +81,10 @@ impl System {
                 memory[to..to + 3].copy_from_slice(&from[of..of + 3]);
             }
         }
+        for (own, other) in self.ropes.iter().zip(&coarse.ropes) {
+            let [to, of] = [own, other].map(|rope| rope.memory..rope.memory + rope.remembered());
+            memory[to].copy_from_slice(&from[of]);
+        }
     }
 }
 

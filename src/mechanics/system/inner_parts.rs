@@ -1,4 +1,4 @@
-//! Loads, joints, springs and actuators that act on elements between their nodes: section forces change there.
+//! Loads, joints, springs, actuators and ropes that act on elements between their nodes: section forces change there.
 
 use crate::mechanics::force::load::Site;
 use crate::mechanics::marker::Marker;
@@ -16,6 +16,8 @@ pub enum InnerPart {
     Spring(usize, bool),
     /// An actuator.
     Actuator(usize, bool),
+    /// An end of a rope.
+    Rope(usize, bool),
 }
 
 impl System {
@@ -50,6 +52,14 @@ impl System {
         for (number, sides) in actuators.map(|(number, coordinate)| (number, self.sides(coordinate))) {
             let sides = sides.into_iter().zip([false, true]);
             sides.for_each(|(marker, is_b)| add(marker, InnerPart::Actuator(number, is_b)));
+        }
+        for (number, rope) in self.ropes.iter().enumerate() {
+            let ends = [rope.seats.first(), rope.seats.last()].into_iter().zip([false, true]);
+            ends.for_each(|(seat, is_b)| {
+                if let Some(seat) = seat {
+                    add(&seat.marker, InnerPart::Rope(number, is_b));
+                }
+            });
         }
         parts.sort_by_key(|(element, _)| *element);
         self.inner_parts = parts;

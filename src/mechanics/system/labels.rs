@@ -124,7 +124,7 @@ impl System {
     /// last accepted value.
     pub fn undefined_law(&self, c: &Configuration, rate: impl Fn(&RelativeCoordinate, f64) -> f64) -> Option<String> {
         let of_springs = self.undefined_spring(c, rate);
-        of_springs.or_else(|| {
+        of_springs.or_else(|| self.impossible_rope(c)).or_else(|| {
             self.joints.iter().find_map(|joint| {
                 let side = joint.gear.as_ref().filter(|side| side.law.is_some())?;
                 let x = self.relative_coordinates[side.coordinate].value(c, side.previous(c));

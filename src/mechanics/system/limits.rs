@@ -68,6 +68,7 @@ impl System {
         let joints = self.check_joints(c, state, time)?;
         self.check_contacts(c, state, time)?;
         self.check_slides(c, time)?;
+        self.check_ropes(c, time)?;
         Ok((nodes / turn).max(bodies / turn).max(joints / LARGEST_ANGLE_CHANGE))
     }
 

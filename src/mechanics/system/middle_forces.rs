@@ -58,6 +58,7 @@ impl System {
             || self.springs.iter().any(|own| !own.is_idle())
             || !self.contacts.is_empty()
             || !self.foundations.is_empty()
+            || !self.ropes.is_empty()
     }
 
     /// The frames of nodes that these forces depend on, by their numbers.
@@ -92,10 +93,12 @@ impl System {
                 let passage = Passage::Step(TimeStep { duration: f64::INFINITY, ..*step });
                 self.add_normal_forces(c, &passage, factor, forces);
                 self.add_foundation_forces(c, &passage, factor, forces);
+                self.add_rope_forces(c, &passage, factor, forces);
             }
             Sight::Middle(_) => {
                 self.add_normal_forces(c, &Passage::Rest, factor, forces);
                 self.add_foundation_forces(c, &Passage::Rest, factor, forces);
+                self.add_rope_forces(c, &Passage::Rest, factor, forces);
             }
         }
         let mut take = |marker: &Marker, part: &MarkerVector, factor: f64| {

@@ -18,6 +18,7 @@ mod labels;
 mod limits;
 pub mod mass;
 pub mod middle_forces;
+mod ropes;
 pub mod rotation;
 mod slides;
 pub mod step_starts;
@@ -52,6 +53,7 @@ use crate::mechanics::contact::Contact;
 use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::foundation::Foundation;
 use crate::mechanics::force::load::{Direction, Load, Site};
+use crate::mechanics::force::rope::Rope;
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::input::guide::{Drive, MovingFrame};
@@ -108,6 +110,8 @@ pub struct System {
     pub contacts: Vec<Contact>,
     /// Elastic foundations, in file order.
     pub foundations: Vec<Foundation>,
+    /// Ropes over sheaves, in file order.
+    pub ropes: Vec<Rope>,
     /// Watched points in the order of their adding.
     pub sensors: Vec<Sensor>,
     /// Largest extent of the system as drawn, m: what lengths are compared with.
@@ -245,6 +249,7 @@ impl System {
         self.springs.iter().any(Spring::is_damped)
             || self.contacts.iter().any(|contact| contact.law.damping != 0.0)
             || self.foundations.iter().any(|own| own.bedding.is_damped())
+            || self.ropes.iter().any(|own| own.elasticity.damping != 0.0)
             || self.has_material_damping()
             || self.has_mass_damping()
             || self.water.as_ref().is_some_and(|water| water.drags())
@@ -472,7 +477,8 @@ impl System {
         let springs = self.springs.iter().flat_map(|spring| self.sides(spring.coordinate));
         let actuators = self.actuators.iter().flat_map(|actuator| self.sides(actuator.coordinate));
         let mut held = vec![false; self.mesh.nodes.len()];
-        for marker in loads.chain(joints).chain(springs).chain(actuators) {
+        let ropes = self.ropes.iter().flat_map(|rope| rope.seats.iter().map(|seat| &seat.marker));
+        for marker in loads.chain(joints).chain(springs).chain(actuators).chain(ropes) {
             if let Marker::Node { node, .. } = marker {
                 held[*node] = true;
             }

@@ -4,6 +4,7 @@ use super::System;
 use super::frame_cache::FrameCache;
 use crate::mechanics::contact::grip::REMEMBERED;
 use crate::mechanics::force::law::Law;
+use crate::mechanics::force::rope::tensions::Hold;
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::marker::relative_coordinate::Measure;
@@ -36,11 +37,15 @@ impl System {
             }
             self.remember_stations(&end, &mut memory);
             match over {
-                Some((middle, passage)) => self.remember_grips(middle, passage, &mut memory),
-                None if self.has_contact_friction() => {
+                Some((middle, passage)) => {
+                    self.remember_grips(middle, passage, &mut memory);
+                    self.remember_ropes(middle, passage, &mut memory);
+                }
+                None if self.has_contact_friction() || !self.ropes.is_empty() => {
                     let before = memory.clone();
                     let end = Configuration { memory: &before, ..end };
                     self.remember_grips(&end, &Passage::Rest, &mut memory);
+                    self.remember_ropes(&end, &Passage::Rest, &mut memory);
                 }
                 None => {}
             }
@@ -61,7 +66,11 @@ impl System {
             (0..count * REMEMBERED).map(of_cell)
         });
         let slides = self.slides().map(|(joint, _)| joint.name.clone());
-        springs.chain(contacts).chain(slides)
+        let ropes = self.ropes.iter().flat_map(|rope| {
+            let of_seat = move |number| format!("{} {} {number}", rope.name, rope.seats.len());
+            (0..rope.remembered()).map(of_seat)
+        });
+        springs.chain(contacts).chain(ropes).chain(slides)
     }
 
     /// Whether contacts have friction.
@@ -72,6 +81,7 @@ impl System {
     /// Whether there is dry friction.
     pub fn has_dry_friction(&self) -> bool {
         self.contacts.iter().any(|contact| contact.friction.is_some_and(|own| own.coefficient != 0.0))
+            || self.ropes.iter().any(|rope| matches!(rope.hold, Some(Hold::Friction(own)) if own != 0.0))
             || self.springs.iter().filter_map(|spring| spring.law.as_ref()).any(|law| law.coulomb() != 0.0)
     }
 
@@ -98,6 +108,11 @@ impl System {
     pub fn without_dry_friction(&self) -> Self {
         let mut own = self.clone();
         own.contacts.iter_mut().filter_map(|contact| contact.friction.as_mut()).for_each(|own| own.coefficient = 0.0);
+        for hold in own.ropes.iter_mut().filter_map(|rope| rope.hold.as_mut()) {
+            if matches!(hold, Hold::Friction(_)) {
+                *hold = Hold::Friction(0.0);
+            }
+        }
         own.springs.iter_mut().filter_map(|spring| spring.law.as_mut()).for_each(Law::take_dry_friction_off);
         own
     }

@@ -1,5 +1,5 @@
 //! The order of the blocks of a system's tangent: those of elements, bodies, load points, springs, actuators, contacts
-//! with bodies, and what actuators read.
+//! with bodies, ropes, and what actuators read.
 
 use super::System;
 use crate::mechanics::force::load::Site;
@@ -18,6 +18,7 @@ pub(super) struct TangentLayout {
     first_spring: usize,
     first_actuator: usize,
     first_contact: usize,
+    first_rope: usize,
     first_reading: usize,
 }
 
@@ -29,8 +30,9 @@ impl TangentLayout {
         let first_spring = first_load_point + load_points;
         let first_actuator = first_spring + OF_PAIR * system.springs.len();
         let first_contact = first_actuator + OF_PAIR * system.actuators.len();
-        let first_reading = first_contact + OF_CONTACT * system.contact_pairs().count();
-        Self { first_body, first_load_point, first_spring, first_actuator, first_contact, first_reading }
+        let first_rope = first_contact + OF_CONTACT * system.contact_pairs().count();
+        let first_reading = first_rope + system.rope_blocks();
+        Self { first_body, first_load_point, first_spring, first_actuator, first_contact, first_rope, first_reading }
     }
 
     /// Blocks of a reading of an actuator: two for each pair of a side of the actuator and one of the reading.
@@ -62,7 +64,12 @@ impl TangentLayout {
 
     /// The blocks of contacts with bodies, in the order of the contacts and their elements.
     pub fn contact_pairs(self) -> Range<usize> {
-        self.first_contact..self.first_reading
+        self.first_contact..self.first_rope
+    }
+
+    /// The first block of ropes, which are in the order of the ropes and of the pairs of their parts.
+    pub fn first_rope(self) -> usize {
+        self.first_rope
     }
 
     /// The blocks of an actuator, by pairs of its sides: aa, ab, ba, bb.

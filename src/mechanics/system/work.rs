@@ -25,7 +25,7 @@ pub struct StepEnergy {
     pub by_frames: f64,
     /// The part of it that heat does through beams, J.
     pub by_heat: f64,
-    /// The part of it that winches give, but for the velocity of what they pay out, J.
+    /// The part of it that winches and drums of ropes give, but for the velocity of what they pay out, J.
     pub by_winches: f64,
     /// The part of it that dampers take, J.
     pub dissipated: f64,
@@ -107,6 +107,12 @@ impl System {
         found.elastic += elastic;
         found.work -= taken;
         found.dissipated += taken;
+        let ropes = self.finish_ropes(c, step, forces);
+        found.elastic += ropes.elastic;
+        found.work += ropes.by_frames + ropes.by_drums - ropes.dissipated;
+        found.by_winches += ropes.by_drums;
+        found.by_frames += ropes.by_frames;
+        found.dissipated += ropes.dissipated;
         if self.water.is_some() {
             found.by_water = self.add_water_with_work(c, &passage, excitation, step.increment, forces);
             found.work += found.by_water;

@@ -32,7 +32,7 @@ impl Builder<'_> {
         }
     }
 
-    fn surface(&self, spec: &SurfaceSpec) -> Surface {
+    pub(super) fn surface(&self, spec: &SurfaceSpec) -> Surface {
         let document = self.document;
         let carrier = self.carrier(spec.on);
         let axes = self.system.drawn(&carrier).axes.tr_mul(&spec.axes(&document.numbers));

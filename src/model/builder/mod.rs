@@ -8,6 +8,7 @@ mod heat;
 mod joints;
 mod origin;
 mod parts;
+mod ropes;
 mod switches;
 mod tune;
 mod water;
@@ -86,6 +87,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     document.gears.iter().for_each(|gear| builder.add_gear(gear));
     document.contacts.iter().enumerate().for_each(|(number, contact)| builder.add_contact(number, contact));
     document.foundations.iter().for_each(|foundation| builder.add_foundation(foundation));
+    document.ropes.iter().for_each(|rope| builder.add_rope(rope));
     document.loads.iter().for_each(|load| builder.add_load(load));
     document.outputs.iter().for_each(|output| builder.add_sensors(output));
     if !builder.mistakes.is_empty() {

@@ -1,7 +1,7 @@
 //! What may change while the system runs: gravity, loads, actuators, springs and dampers, and where a host wants drives
 //! and frames to be.
 
-use super::{contacts, foundations, heat, signal, vector};
+use super::{contacts, foundations, heat, ropes, signal, vector};
 use crate::math::jet::Jet;
 use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_jet};
 use crate::math::{Mat3, Vec3};
@@ -65,6 +65,7 @@ pub fn retune(document: &Document, system: &mut System) {
     set_springs(document, system);
     contacts::retune(document, system);
     foundations::retune(document, system);
+    ropes::retune(document, system);
 }
 
 /// Sets the numbers of springs, friction and stops.

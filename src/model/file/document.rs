@@ -7,6 +7,7 @@ use super::entries::function;
 use super::entries::load::Target;
 use super::entries::overview::ModelSpec;
 use super::entries::parameters;
+use super::entries::rope::RopeSpec;
 use super::entries::simulation::{Analysis, SimulationSpec, Steps};
 use super::entries::spring::SpringSpec;
 use super::entries::water::WaterSpec;
@@ -228,7 +229,8 @@ impl Document {
             Target::At(anchor) => Some(anchor),
             Target::On(_) | Target::Moving { .. } => None,
         });
-        springs.chain(actuators.flatten()).chain(loads)
+        let ropes = self.ropes.iter().flat_map(RopeSpec::points);
+        springs.chain(actuators.flatten()).chain(loads).chain(ropes)
     }
 
     /// A mistake that shows itself only when the mechanism is built; `label` stands behind the underlining, `help`

@@ -74,7 +74,7 @@ pub enum Quantity {
     Power,
     /// Tension of a spring.
     Force,
-    /// Elastic energy of a spring, of a stop, or of the springs of a joint.
+    /// Elastic energy of a spring, of a stop, of a rope, or of the springs of a joint.
     Energy,
     /// Sum of the normal forces of a contact.
     NormalForce,
@@ -84,10 +84,18 @@ pub enum Quantity {
     Penetration,
     /// Length of beam that touches.
     ContactLength,
-    /// Angle by which beams are bent where they touch.
+    /// Angle by which beams are bent where they touch, or that a rope runs along each sheave.
     WrapAngle,
     /// Share of a contact that slides.
     Sliding,
+    /// Tension of each span of a rope.
+    Tension,
+    /// Length of each span of a rope.
+    SpanLength,
+    /// How far a rope has slipped over each sheave.
+    Slip,
+    /// Length of a whole rope.
+    Length,
     /// Kinetic energy of a whole beam or body.
     KineticEnergy,
     /// Strain energy of a whole beam.
@@ -175,13 +183,16 @@ const EFFORT: Rows = Rows(&[
 const POWER: Rows =
     Rows(&[At(Kind::Drive), At(Kind::Actuator), At(Kind::Gear), At(Kind::Spring), At(Kind::Friction), At(Kind::Stop)]);
 const SPRING: Rows = Rows(&[At(Kind::Spring)]);
-const STORE: Rows = Rows(&[At(Kind::Spring), At(Kind::Stop), At(Kind::Joint), At(Kind::Contact), At(Kind::Foundation)]);
+const STORE: Rows =
+    Rows(&[At(Kind::Spring), At(Kind::Stop), At(Kind::Joint), At(Kind::Contact), At(Kind::Foundation), At(Kind::Rope)]);
 const TOUCH: Rows = Rows(&[At(Kind::Contact)]);
+const WRAP: Rows = Rows(&[At(Kind::Contact), At(Kind::Rope)]);
+const ROPE: Rows = Rows(&[At(Kind::Rope)]);
 const MASS: Rows = Rows(&[Whole(Kind::Beam), Whole(Kind::Body)]);
 const WHOLE_BEAM: Rows = Rows(&[Whole(Kind::Beam)]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 44] = [
+pub const QUANTITIES: [Row; 48] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -323,8 +334,18 @@ pub const QUANTITIES: [Row; 44] = [
     TOUCH.row(Quantity::FrictionForce, "friction_force", 1, "N", "sum of the sizes of all friction of the contact"),
     TOUCH.row(Quantity::Penetration, "penetration", 1, "m", "largest penetration of the contact"),
     TOUCH.row(Quantity::ContactLength, "contact_length", 1, "m", "length of beam that touches"),
-    TOUCH.row(Quantity::WrapAngle, "wrap_angle", 1, "rad", "angle by which the beam is bent where it touches"),
+    WRAP.row(Quantity::WrapAngle, "wrap_angle", 1, "rad", "angle by which the beam is bent where it touches"),
     TOUCH.row(Quantity::Sliding, "sliding", 1, "", "share of what touches with friction that slides, 0 to 1"),
+    ROPE.row(Quantity::Tension, "tension", 1, "N", "tension of each span of the rope, from its start on"),
+    ROPE.row(Quantity::SpanLength, "span_length", 1, "m", "length of each span of the rope, between the sheaves"),
+    ROPE.row(
+        Quantity::Slip,
+        "slip",
+        1,
+        "m",
+        "way that the rope has slipped over each sheave since it was drawn, positive towards its end",
+    ),
+    ROPE.row(Quantity::Length, "length", 1, "m", "length of the rope along its spans and its arcs on sheaves"),
     MASS.row(Quantity::KineticEnergy, "kinetic_energy", 1, "J", "kinetic energy of the whole part"),
     WHOLE_BEAM.row(Quantity::ElasticEnergy, "elastic_energy", 1, "J", "strain energy of the whole beam"),
     MASS.row(
@@ -388,6 +409,7 @@ impl Quantity {
                 | FrictionForce
                 | Penetration
                 | Sliding
+                | Tension
         ) || self.is_transmitted();
         is_strain || is_force || self.is_acceleration()
     }

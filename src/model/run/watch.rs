@@ -4,6 +4,7 @@ mod alternation;
 mod contacts;
 mod ends;
 mod mesh;
+mod ropes;
 mod stops;
 mod switches;
 
@@ -11,6 +12,7 @@ use self::alternation::AlternationWatch;
 use self::contacts::ContactWatch;
 use self::ends::EndWatch;
 use self::mesh::MeshWatch;
+use self::ropes::RopeWatch;
 use self::stops::StopWatch;
 use crate::error::decimal;
 use crate::mechanics::output::mesh_error::Deformation;
@@ -36,6 +38,7 @@ pub struct Watch {
     alternation: AlternationWatch,
     stops: StopWatch,
     contacts: ContactWatch,
+    ropes: RopeWatch,
 }
 
 impl Watch {
@@ -66,15 +69,21 @@ impl Watch {
         let alternation = self.alternation.look(system, state, (table, results), &self.mesh.beams);
         let stops = self.stops.look(system, state);
         let contacts = self.contacts.look(system, state, frames);
+        let ropes = self.ropes.look(system, state, frames);
         let all = twist.into_iter().chain(mesh).chain(ends).chain(alternation).chain(stops).chain(contacts);
-        all.chain(self.energy(state.balance.alarm())).collect()
+        all.chain(ropes).chain(self.energy(state.balance.alarm())).collect()
     }
 
     /// What the user should know at the end, `state`, of a run over `span`, s; `table` has what is read off the system.
     pub fn conclude(&mut self, system: &System, state: &State, table: &Table, span: [f64; 2]) -> Vec<String> {
         let judged = self.judge(system, table);
         let energy = self.energy(state.balance.at_end());
-        judged.into_iter().chain(energy).chain(switches::idle(system, span)).collect()
+        judged
+            .into_iter()
+            .chain(energy)
+            .chain(switches::idle(system, span))
+            .chain(self.ropes.conclude(system))
+            .collect()
     }
 
     /// Judges by now what otherwise waits for the end: of a run that fails it may be the cause.

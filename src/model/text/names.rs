@@ -29,13 +29,14 @@ pub enum Kind {
     Surface,
     Contact,
     Foundation,
+    Rope,
     Load,
     Wave,
     Output,
 }
 
 /// The sections of named things, by their words in the file.
-pub const SECTIONS: [(&str, Kind); 22] = [
+pub const SECTIONS: [(&str, Kind); 23] = [
     ("function", Kind::Function),
     ("material", Kind::Material),
     ("section", Kind::Section),
@@ -55,6 +56,7 @@ pub const SECTIONS: [(&str, Kind); 22] = [
     ("surface", Kind::Surface),
     ("contact", Kind::Contact),
     ("foundation", Kind::Foundation),
+    ("rope", Kind::Rope),
     ("load", Kind::Load),
     ("wave", Kind::Wave),
     ("output", Kind::Output),
@@ -69,7 +71,7 @@ impl Kind {
     /// Whether it holds places together or acts on them: only outputs refer to places and to these by one key.
     pub fn is_connection(self) -> bool {
         use Kind::*;
-        matches!(self, Joint | Drive | Actuator | Gear | Spring | Friction | Stop | Lock | Contact | Foundation)
+        matches!(self, Joint | Drive | Actuator | Gear | Spring | Friction | Stop | Lock | Contact | Foundation | Rope)
     }
 
     /// Whether the solver knows it by its name.

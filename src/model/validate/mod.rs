@@ -9,6 +9,7 @@ mod heat;
 mod meshes;
 pub mod notes;
 mod paths;
+mod ropes;
 mod sections;
 mod slides;
 mod twist;
@@ -124,6 +125,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
     document.winches.iter().for_each(|winch| checker.check_winch(winch));
     document.contacts.iter().for_each(|contact| checker.check_contact(contact));
     document.foundations.iter().for_each(|foundation| checker.check_foundation(foundation));
+    document.ropes.iter().for_each(|rope| checker.check_rope(rope));
     checker.check_water();
     document.gears.iter().for_each(|gear| checker.check_ratio(gear));
     document.stops.iter().for_each(|stop| checker.check_limits(stop));

@@ -29,6 +29,9 @@ impl Checker<'_> {
                 held.extend([a, b].map(|end| ("actuator", actuator.name.as_str(), end)));
             }
         }
+        for rope in &document.ropes {
+            held.extend(rope.points().map(|end| ("rope", rope.name.as_str(), end)));
+        }
         for load in &document.loads {
             match load.target {
                 Target::At(anchor) => held.push(("load", &load.name, anchor)),

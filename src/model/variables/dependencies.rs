@@ -10,6 +10,7 @@ use crate::model::file::entries::simulation::{Analysis, Initial};
 use crate::model::file::number::{Number, Written};
 use crate::model::file::quantity::Quantity;
 use crate::model::file::reader::anchor::{Anchor, Spot};
+use crate::model::text::names::Kind;
 use std::collections::BTreeMap;
 
 /// What an initial value is found from, besides the parameters.
@@ -89,6 +90,8 @@ impl Givens {
             _ if !self.as_drawn => Found::All,
             (quantity, _) if quantity.is_acceleration() || quantity.is_of_section() => Found::All,
             (ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort | Power, _) => Found::All,
+            // The ends of a rope are where frames and drives are.
+            (_, Target::Connection(Kind::Rope, _)) => Found::Motion,
             (Drag | Velocity | AngularVelocity | AngleRate | DistanceRate | Force | KineticEnergy, _) => Found::Motion,
             (Angle | Distance | Energy, _) => Found::Frames,
             _ => Found::Drawing,

@@ -15,6 +15,8 @@ pub enum Measure {
     /// A quantity of a connection, by its kind and its index among that kind. Friction and stops are springs, by
     /// their indices in the system: they are built in the order of the file, one kind after the other.
     Connection(Kind, usize, Quantity),
+    /// A quantity of a rope, by its index, and how many spans or sheaves it has.
+    Rope(usize, Quantity, usize),
     /// A quantity of a whole beam or body.
     Whole(Part, Quantity),
     /// Kinetic, elastic, gravity and total energy.
@@ -60,6 +62,7 @@ impl Measure {
             Self::Frame(_, quantity) | Self::Connection(.., quantity) | Self::Whole(_, quantity) => {
                 quantity.row().components
             }
+            Self::Rope(.., count) => *count,
             Self::Energy => 4,
             Self::Account(in_water) => ACCOUNT.len() + usize::from(*in_water),
             Self::Momentum => 6,
@@ -74,6 +77,7 @@ impl Measure {
             Self::Sensors(_, quantity)
             | Self::Frame(_, quantity)
             | Self::Connection(.., quantity)
+            | Self::Rope(_, quantity, _)
             | Self::Whole(_, quantity) => Some(*quantity),
             Self::Energy | Self::Account(_) | Self::Momentum | Self::Path | Self::Statistics => None,
         }

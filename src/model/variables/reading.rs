@@ -86,6 +86,10 @@ pub(super) fn push_point(
         | Quantity::ContactLength
         | Quantity::WrapAngle
         | Quantity::Sliding
+        | Quantity::Tension
+        | Quantity::SpanLength
+        | Quantity::Slip
+        | Quantity::Length
         | Quantity::KineticEnergy
         | Quantity::ElasticEnergy
         | Quantity::GravityEnergy => unreachable!("the file is refused: these belong to whole parts"),
@@ -212,6 +216,22 @@ pub(super) fn push_foundation(
     }
 }
 
+/// Appends a quantity of a rope.
+pub(super) fn push_rope(values: &mut Vec<f64>, number: usize, quantity: Quantity, moment: &Moment, loads: &JointLoads) {
+    let rope = &moment.system.ropes[number];
+    // An impossible rope ends a run before anybody reads it.
+    let Some(pull) = rope.pull(loads.c, loads.passage) else { return values.push(f64::NAN) };
+    let (spans, sheaves) = (rope.spans(), 1..rope.spans());
+    match quantity {
+        Quantity::Tension => values.extend((0..spans).map(|span| pull.pulls[rope.stretch_of(span)].value)),
+        Quantity::SpanLength => values.extend(&pull.laid.lengths[..spans]),
+        Quantity::WrapAngle => values.extend(sheaves.map(|seat| rope.wrap(seat, &pull.laid))),
+        Quantity::Slip => values.extend(sheaves.map(|seat| rope.slipped(seat, &pull, loads.c))),
+        Quantity::Energy => values.push(rope.energy(&pull)),
+        _ => values.push(rope.length(&pull.laid)),
+    }
+}
+
 /// A quantity of a drive, a lock, an actuator, a gear or a spring: its effort and power, or its coordinate.
 pub(super) fn of_connection(kind: Kind, number: usize, quantity: Quantity, moment: &Moment, loads: &JointLoads) -> f64 {
     let Moment { system, state, .. } = *moment;
@@ -263,7 +283,8 @@ pub(super) fn push_total(values: &mut Vec<f64>, measure: &Measure, moment: &Mome
             // Counts are far below 2^53: exact.
             values.extend([counts.steps, counts.iterations, counts.rejected].map(|count| count as f64));
         }
-        Measure::Sensors(..) | Measure::Frame(..) | Measure::Connection(..) | Measure::Whole(..) => {}
+        Measure::Sensors(..) | Measure::Frame(..) | Measure::Connection(..) => {}
+        Measure::Rope(..) | Measure::Whole(..) => {}
     }
 }
 

@@ -6,7 +6,8 @@ use super::inputs::Inputs;
 use super::measure::{ACCOUNT, Measure, OF_WATER};
 use super::nominal::Scales;
 use super::reading::{
-    Moment, of_connection, of_part, push_contact, push_foundation, push_joint, push_point, push_total, push_wrench,
+    Moment, of_connection, of_part, push_contact, push_foundation, push_joint, push_point, push_rope, push_total,
+    push_wrench,
 };
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Variability, Variable};
@@ -180,6 +181,17 @@ impl Table {
                 let first = document.springs.len() + document.frictions.len();
                 Measure::Connection(Kind::Spring, first + number, quantity)
             }
+            Target::Connection(Kind::Rope, number) => {
+                let rope = &document.ropes[number];
+                let count = match quantity {
+                    Quantity::Tension | Quantity::SpanLength => rope.over.len() + 1,
+                    Quantity::WrapAngle | Quantity::Slip => rope.over.len(),
+                    _ => 1,
+                };
+                self.push_result(&name, count, unit, &meaning);
+                self.measures.push(Measure::Rope(number, quantity, count));
+                return;
+            }
             Target::Connection(kind, number) => Measure::Connection(kind, number, quantity),
             Target::Whole(Kind::Beam, beam) => Measure::Whole(Part::Beam(beam), quantity),
             Target::Whole(_, body) => Measure::Whole(Part::Body(body), quantity),
@@ -223,7 +235,7 @@ impl Table {
                     || quantity.is_acceleration()
                     || matches!(quantity, Quantity::Effort | Quantity::Power)
             }
-            Measure::Whole(..) | Measure::Energy | Measure::Account(_) => false,
+            Measure::Rope(..) | Measure::Whole(..) | Measure::Energy | Measure::Account(_) => false,
             Measure::Momentum | Measure::Path | Measure::Statistics => false,
         })
     }
@@ -238,7 +250,7 @@ impl Table {
             Measure::Connection(Kind::Contact | Kind::Foundation, ..) => true,
             Measure::Frame(..) | Measure::Connection(Kind::Gear, ..) => false,
             Measure::Connection(.., quantity) => quantity.is_coordinate(),
-            Measure::Whole(..) | Measure::Energy => true,
+            Measure::Rope(..) | Measure::Whole(..) | Measure::Energy => true,
             Measure::Account(_) | Measure::Momentum | Measure::Path | Measure::Statistics => false,
         })
     }
@@ -369,6 +381,7 @@ impl Table {
                 Measure::Connection(Kind::Foundation, number, quantity) => {
                     push_foundation(values, *number, *quantity, moment, &loads);
                 }
+                Measure::Rope(number, quantity, _) => push_rope(values, *number, *quantity, moment, &loads),
                 Measure::Connection(kind, number, quantity) => {
                     values.push(of_connection(*kind, *number, *quantity, moment, &loads));
                 }

@@ -13,6 +13,7 @@ pub mod loads;
 mod moving_loads;
 pub mod observers;
 pub mod points;
+mod ropes;
 pub mod spring_derivatives;
 mod sticking;
 mod units_without_parts;

@@ -17,6 +17,8 @@ const STATED: [(&str, &str, f64, f64); 15] = [
     ("HangingCable", "middle.position[3]", -1.907, 2e-3),
     // g (m1 - m2)/(m1 + m2 + J/r^2), rigid: the default accuracy of the steps.
     ("Atwood", "motion.distance_acceleration", -9.81 / 5.5, 1e-3),
+    // (4 F - m g)/(m + 16 e) t^2/2, once the rope has stretched, by 0.1 mm in a share of the time: 2e-3.
+    ("BlockAndTackle", "load.displacement[3]", 61.9 / 18.0 * 0.08, 2e-3),
     // -sqrt(m g/drag), reached to 2 exp(-2 g t/v) = 3.4e-6: the default accuracy of the steps.
     ("FallingBall", "fall.distance_rate", -4.42945, 1e-3),
     // (5 F L^3/(48 EI) - gap)/(L^3/(3 EI) + 1/stiffness) = (0.044643 - 0.01)/(4.7619e-4 + 1e-6) N, for small

@@ -25,6 +25,7 @@ pub mod overview;
 pub mod parameters;
 pub mod point;
 pub mod reading;
+pub mod rope;
 pub mod section;
 pub mod simulation;
 pub mod spring;
@@ -107,6 +108,7 @@ parts! {
     surfaces: Surface, surface::SurfaceSpec, "Surfaces, in file order.";
     contacts: Contact, contact::ContactSpec, "Contacts, in file order.";
     foundations: Foundation, foundation::FoundationSpec, "Foundations, in file order.";
+    ropes: Rope, rope::RopeSpec, "Ropes, in file order.";
     loads: Load, load::LoadSpec, "Loads, in file order.";
     waves: Wave, wave::WaveSpec, "Waves, in file order.";
     outputs: Output, output::OutputSpec, "Outputs, in file order.";

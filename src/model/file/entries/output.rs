@@ -167,6 +167,8 @@ impl OutputSpec {
                 "moment of the beam on the foundation, about the global origin, in global axes"
             }
             (Quantity::Energy, Target::Connection(Kind::Foundation, _)) => "elastic energy of the foundation",
+            (Quantity::Energy, Target::Connection(Kind::Rope, _)) => "elastic energy of the rope",
+            (Quantity::WrapAngle, Target::Connection(Kind::Rope, _)) => "angle that the rope runs along each sheave",
             (Quantity::Energy, Target::Connection(Kind::Joint, _)) => "elastic energy of the joint's own springs",
             (Quantity::Distance, Target::Connection(Kind::Spring, _)) => {
                 "distance of b from a; on a joint along the axis, 0 as drawn"
@@ -385,6 +387,9 @@ fn objection(parts: &Parts, row: &Row, target: Target, names: &Names) -> Option<
             without_coordinate(parts, Coordinate::Distance, target, names)
         }
         (Quantity::Effort, Target::Connection(Kind::Joint, joint)) => without_one_effort(parts, joint, names),
+        (Quantity::WrapAngle | Quantity::Slip, Target::Connection(Kind::Rope, rope)) => {
+            without_sheaves(parts, rope, row.word, names)
+        }
         _ => None,
     }
 }
@@ -424,6 +429,17 @@ fn without_coordinate(parts: &Parts, coordinate: Coordinate, target: Target, nam
         message: format!("{what} has no {}", coordinate.word()),
         label: Coordinate::listing(&known),
         help: String::from(joint::COORDINATES),
+    })
+}
+
+/// A wrap angle and a slip are those of sheaves.
+fn without_sheaves(parts: &Parts, rope: usize, word: &str, names: &Names) -> Option<Mistake> {
+    let name = names.name(Kind::Rope, rope)?;
+    let own = parts.ropes.iter().find(|own| own.name == name)?;
+    own.over.is_empty().then(|| Mistake {
+        message: format!("\"{word}\" cannot be measured at rope {name}"),
+        label: String::from("it has no sheaves between its ends"),
+        help: String::from("possible are tension, span_length, length and energy"),
     })
 }
 

@@ -23,7 +23,13 @@ pub fn loose_parts(document: &Document) -> Vec<Note> {
         .iter()
         .flat_map(|contact| contact.pairs().map(|(beam, surface)| (beam, part(document.surfaces[surface].on))));
     let foundations = document.foundations.iter().map(|foundation| (foundation.beam, world));
-    let groups = Groups::new(world + 1, pairs.chain(contacts).chain(foundations));
+    let ropes = document.ropes.iter().flat_map(|rope| {
+        let ends = rope.points().map(|end| part(end.spot));
+        let wheels = rope.wheels().map(|(surface, _)| part(document.surfaces[surface].on));
+        let parts: Vec<_> = ends.chain(wheels).collect();
+        parts.windows(2).map(|pair| (pair[0], pair[1])).collect::<Vec<_>>()
+    });
+    let groups = Groups::new(world + 1, pairs.chain(contacts).chain(foundations).chain(ropes));
 
     let beams = document.beams.iter().map(|beam| (format!("beam {}", beam.name), beam.place));
     let bodies = document.bodies.iter().map(|body| (format!("body {}", body.name), body.place));
