@@ -50,18 +50,25 @@ impl System {
     pub(super) fn add_rope_forces(&self, c: &Configuration, passage: &Passage, factor: f64, forces: &mut [f64]) {
         for rope in &self.ropes {
             let Some(pull) = rope.pull(c, passage) else { return undefined(rope, forces) };
-            self.add_spans(rope, c, &pull, factor, forces);
+            self.add_spans(rope, c, (&lines(rope, c), &pull), factor, forces);
         }
     }
 
     /// Adds `factor` times the forces of the spans of a rope with their directions at `c`.
-    fn add_spans(&self, rope: &Rope, c: &Configuration, pull: &Pull, factor: f64, forces: &mut [f64]) {
-        for span in 0..rope.spans() {
+    fn add_spans(
+        &self,
+        rope: &Rope,
+        c: &Configuration,
+        (lines, pull): (&Lines, &Pull),
+        factor: f64,
+        forces: &mut [f64],
+    ) {
+        for (span, line) in lines.iter().enumerate().take(rope.spans()) {
             let tension = pull.pulls[rope.stretch_of(span)].value * factor;
             if tension == 0.0 {
                 continue;
             }
-            let Some(line) = rope.line(span, c) else { return undefined(rope, forces) };
+            let Some(line) = line else { return undefined(rope, forces) };
             let parts = gradient(rope, span, c, &(line.reach_by * tension));
             for (seat, part) in rope.seats[span..].iter().zip(&parts) {
                 let Some(own) = seat.part else { continue };
@@ -87,8 +94,8 @@ impl System {
             let count = rope.parts.len() * rope.parts.len();
             (first..first + count).for_each(|block| tangent.block_mut(block).fill(0.0));
             let Some(pull) = rope.pull(c, passage) else { return undefined(rope, forces) };
-            self.add_spans(rope, c, &pull, 1.0, forces);
             let here = lines(rope, c);
+            self.add_spans(rope, c, (&here, &pull), 1.0, forces);
             for (span, line) in here.iter().enumerate() {
                 let Some(line) = line else { continue };
                 let tension = pull.pulls[rope.stretch_of(span)].value;
@@ -137,7 +144,7 @@ impl System {
         let mut found = RopeEnergy::default();
         for rope in &self.ropes {
             let Some(pull) = rope.pull(c, &Passage::Step(*step)) else { continue };
-            self.add_spans(rope, c, &pull, 1.0, forces);
+            self.add_spans(rope, c, (&lines(rope, c), &pull), 1.0, forces);
             let elastic = rope.energy(&pull);
             let work: f64 = (0..rope.stretches()).map(|k| pull.pulls[k].value * pull.ways[k]).sum();
             found.elastic += elastic;
@@ -275,6 +282,8 @@ fn add_stretching(
     (first, tangent): (usize, &mut Blocks),
 ) {
     let count = rope.parts.len();
+    let mut strains = [[[0.0; MOST_SPANS]; 3]; MOST_SPANS];
+    strains.iter_mut().enumerate().take(rope.spans()).for_each(|(span, own)| *own = rope.strains_by_span(pull, span));
     for stretch in 0..rope.stretches() {
         let weight = weight(stretch);
         if weight == 0.0 {
@@ -293,7 +302,7 @@ fn add_stretching(
             if rope.stretch_of(span) == stretch {
                 take(&mut rows, span, gradient(rope, span, c, &line.reach_by));
             }
-            let [reach, leaves, reaches] = rope.strains_by_span(pull, span).map(|strains| strains[stretch]);
+            let [reach, leaves, reaches] = strains[span].map(|strains| strains[stretch]);
             if reach == 0.0 && leaves == 0.0 && reaches == 0.0 {
                 continue;
             }

@@ -1,5 +1,6 @@
 //! A mechanism as drawn: lines, points and arrows with names, for pictures.
 
+use super::rope_line;
 use crate::math::Vec3;
 use crate::model::file::document::Document;
 use crate::model::file::entries::actuator::Action;
@@ -12,7 +13,7 @@ use crate::model::text::names::Kind;
 /// Everything that a picture of a mechanism shows. Global axes, m.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
-    /// Beams, springs and rigid arms.
+    /// Beams, springs, ropes and rigid arms.
     pub lines: Vec<Line>,
     /// Bodies, frames, points, joints, drives, actuators and outputs.
     pub marks: Vec<Mark>,
@@ -120,6 +121,7 @@ impl Drawing {
         artist.draw_beams();
         artist.draw_points();
         artist.draw_springs();
+        artist.draw_ropes();
         artist.draw_bodies_and_frames();
         artist.draw_joints();
         artist.draw_drives();
@@ -187,6 +189,16 @@ impl Artist<'_> {
             // A spring's ground is the origin.
             let points = ends.map(|end| self.point(end).unwrap_or([0.0; 3])).to_vec();
             self.line(&spring.name, LineKind::Spring, points, Vec::new());
+        }
+    }
+
+    fn draw_ropes(&mut self) {
+        for rope in &self.document.ropes {
+            let points = rope_line::points(self.document, &self.lines, rope).unwrap_or_default();
+            for (number, piece) in points.windows(2).enumerate() {
+                let name = if number == 0 { &rope.name } else { "" };
+                self.line(name, LineKind::Spring, piece.iter().map(|point| (*point).into()).collect(), Vec::new());
+            }
         }
     }
 

@@ -8,6 +8,7 @@ pub mod drawing;
 pub mod modes;
 mod profile;
 mod recorder;
+mod rope_line;
 mod scene;
 mod shapes;
 mod stations;

@@ -340,7 +340,6 @@ fn energy_balances() {
         let text = crooked(&format!("{kind}\n{rest}"))
             .replace("stop = 1\n", "stop = 0.15\nstep = 1e-3\nspectral_radius = 1\ntotals = [\"energy\", \"work\"]\n");
         let mut own = start(&text);
-        let begin = value(&own, "energy.elastic");
         run(&mut own, 0.05, 0.15, |_| {});
         let (drift, taken) = (value(&own, "work.drift"), value(&own, "work.dissipated"));
         let moving = value(&own, "energy.kinetic");
@@ -459,4 +458,29 @@ fn a_rope_between_a_beam_and_a_frame() {
     for (rope, spring) in rope.iter().zip(&spring) {
         assert!((rope - spring).abs() < 1e-8 * scale, "{rope} {spring}");
     }
+}
+
+/// A run warns of a rope that was slack all the time, and of one that has left its sheave: the hand at its end rises from
+/// below the sheave to far above it.
+#[test]
+fn warnings_of_ropes() {
+    let warnings = |rope: &str| {
+        let mut own = start(&format!(
+            "format = 1\n[model]\nname = \"Warned\"\ngravity = [0, 0, 0]\n\
+             [body.bob]\nmass = 1\ninertia = [1, 1, 1]\nposition = [-1, 0, 0]\n\
+             [joint.held]\ntype = \"weld\"\na = \"ground\"\nb = \"bob\"\n\
+             [frame.hand]\nposition = [1, 0, \"-0.5 + 1.5*t\"]\n\
+             [surface.head]\nshape = \"cylinder\"\naxis = [0, 1, 0]\nradius = 0.1\n\
+             [rope.line]\nfrom = \"bob\"\nover = \"head\"\nturns = [1]\nto = \"hand\"\nstiffness = 100\n{rope}\n\
+             [simulation]\nstop = 1\n"
+        ));
+        run(&mut own, 0.1, 1.0, |_| {});
+        own.conclude();
+        own.take_warnings()
+    };
+    let slack = warnings("length = 9");
+    assert!(slack.iter().any(|own| own.contains("rope line was slack all the time")), "{slack:?}");
+    let taut = warnings("pretension = 30");
+    assert!(taut.iter().any(|own| own.contains("rope line has left sheave head at t = 0.")), "{taut:?}");
+    assert!(!taut.iter().any(|own| own.contains("slack")), "{taut:?}");
 }

@@ -77,7 +77,7 @@ pub fn legend(drawing: &Drawing) -> String {
     let arrow = |kind| drawing.arrows.iter().any(|arrow| arrow.kind == kind);
     let parts = [
         (line(LineKind::Beam), "beams with their nodes (blue lines)"),
-        (line(LineKind::Spring), "springs (dashed pink lines)"),
+        (line(LineKind::Spring), "springs and ropes (dashed pink lines)"),
         (line(LineKind::Face), "surfaces (thin grey lines)"),
         (line(LineKind::Arm) && !mark(MarkKind::Point), "rigid arms of joints (grey lines)"),
         (line(LineKind::Arm) && mark(MarkKind::Point), "rigid arms of joints and points (grey lines)"),

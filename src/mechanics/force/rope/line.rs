@@ -253,10 +253,7 @@ impl Line {
         let at = angles.map(|angle| (angle.cos(), angle.sin()));
         let length_square = square.value(y, at);
         // Not-a-number must fail.
-        if !(length_square > 0.0) {
-            return None;
-        }
-        let length = length_square.sqrt();
+        let length = (length_square > 0.0).then(|| length_square.sqrt())?;
         let (inverse, conditions_by) = condition_tangent(&conditions, radii, y, at)?;
         let angles_by =
             [0, 1].map(|row| -(conditions_by[0] * inverse[(row, 0)] + conditions_by[1] * inverse[(row, 1)]));

@@ -338,11 +338,11 @@ impl Rope {
             }
             _ => [0.0; MOST_SPANS],
         };
-        for k in 0..count {
+        for (k, rate) in rates.iter().enumerate().take(count) {
             let end = own.tensions.strains[k];
             own.pulls[k] = match passage {
                 Passage::Step(step) => self.elasticity.tension_over([own.start[k], end], step.duration),
-                _ => self.elasticity.tension_at(end, rates[k]),
+                _ => self.elasticity.tension_at(end, *rate),
             };
         }
     }
@@ -396,6 +396,11 @@ impl Rope {
     pub fn strains_by_span(&self, own: &Pull, span: usize) -> [[f64; MOST_SPANS]; 3] {
         let count = self.stretches();
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|[reach, leaves, reaches]| {
+            // The angles of points, and those on wheels without a grip, do nothing.
+            let is_idle = |seat: usize, angle: f64| angle != 0.0 && self.grip_at(seat).is_none();
+            if is_idle(span, leaves) || is_idle(span + 1, reaches) {
+                return [0.0; MOST_SPANS];
+            }
             let mut change = Change::default();
             self.add_change(span, reach, [leaves, reaches], &mut change);
             own.tensions.strains_by(&own.stretches[..count], &own.grips[..=count], &change)
