@@ -6,11 +6,11 @@
 //! and turns with its section, so that friction turns the section too. A step takes the force half a step behind its
 //! end, as dry friction of joints does.
 
-use super::Contact;
 use super::pieces::CELLS;
 use super::touch::{Arms, Touch, arm};
+use super::{Contact, Ground};
 use crate::math::{Mat3, Vec3, hermite};
-use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, SHAPE_PLACES};
+use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, SHAPE_PLACES, interpolate};
 use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::body::kinematics::{self, BODY};
 use crate::mechanics::geometry::pose::{Pose, angular_velocity, axis_place};
@@ -27,8 +27,10 @@ const SLIDING: f64 = 1.0 - 1e-3;
 /// Dry friction of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
-    /// Force over pressure while the surfaces slide, 1.
+    /// Force over pressure while the surfaces slide, 1: the larger one of both directions.
     pub coefficient: f64,
+    /// The coefficients along and across the beam over the larger one: limits are an ellipse.
+    pub shares: [f64; 2],
     /// Force per length and displacement while they stick, N/m².
     pub stiffness: f64,
     /// The first number that it remembers.
@@ -108,6 +110,47 @@ pub struct Grip {
     pub lever: Vec3,
 }
 
+/// The limit of friction: a circle, or an ellipse with the metric in which it is one.
+#[derive(Clone, Copy, Debug)]
+struct Limit {
+    size: f64,
+    metric: Option<Mat3>,
+}
+
+impl Limit {
+    /// The size of a vector over that of the limit, times the limit.
+    fn size_of(&self, vector: &Vec3) -> f64 {
+        match self.metric {
+            None => vector.norm(),
+            Some(metric) => vector.dot(&(metric * vector)).sqrt(),
+        }
+    }
+
+    /// A vector that is cut off at the limit, with its derivatives with respect to the vector and to the limit.
+    fn cut(&self, vector: &Vec3) -> (Vec3, Mat3, Vec3) {
+        let Some(metric) = self.metric else { return cut(vector, self.size) };
+        let size = self.size_of(vector);
+        if size <= self.size || size == 0.0 {
+            return (*vector, Mat3::identity(), Vec3::zeros());
+        }
+        let along = vector / size;
+        let across = Mat3::identity() - along * (metric * along).transpose();
+        (along * self.size, across * (self.size / size), along)
+    }
+}
+
+impl Friction {
+    /// The metric of the ellipse of a beam along `tangent`; none: the limit is a circle.
+    fn metric(&self, tangent: &Vec3, normal: &Vec3) -> Option<Mat3> {
+        if self.shares[0] == self.shares[1] {
+            return None;
+        }
+        let along = (tangent - normal * normal.dot(tangent)).normalize();
+        let [by_along, by_across] = self.shares.map(|share| 1.0 / (share * share));
+        Some(Mat3::identity() * by_across + along * along.transpose() * (by_along - by_across))
+    }
+}
+
 /// A vector that is cut off at `limit`, with its derivatives with respect to the vector and to the limit.
 fn cut(vector: &Vec3, limit: f64) -> (Vec3, Mat3, Vec3) {
     let size = vector.norm();
@@ -171,7 +214,7 @@ impl Contact {
         let normal = axes * self.surface.shape.normal(&seen).normalize();
         let across = Mat3::identity() - normal * normal.transpose();
         // The surface of the beam is on the other side of its axis.
-        let lever = normal * -self.radius;
+        let lever = normal * -self.lever();
         let rows = self.rows(element, c, xi, &arms, &across, &lever);
         let q = [0, 1].map(|end| &ends[end].beams.q[element.coordinates()]);
         let change = |number: usize| q[1][number] - q[0][number];
@@ -193,15 +236,20 @@ impl Contact {
             _ => (Vec3::zeros(), false),
         };
         let stiffness = friction.stiffness * pressing.length();
-        let limit = friction.coefficient * pressing.force;
+        // The tangent of the last state has no derivative.
+        let tangent = interpolate(&hermite::shape_x(xi, element.length()), &ends[0].beams.q[element.coordinates()]);
+        let limit = Limit {
+            size: friction.coefficient * pressing.force,
+            metric: friction.metric(&carriers[0].axes.tr_mul(&tangent), &normal),
+        };
         let stuck = across * before + slip;
-        let (mut force, first, first_by_limit) = cut(&(stuck * stiffness), limit);
-        let (displaced, slides) = (force / stiffness, force.norm() >= SLIDING * limit);
+        let (mut force, first, first_by_limit) = limit.cut(&(stuck * stiffness));
+        let (displaced, slides) = (force / stiffness, limit.size_of(&force) >= SLIDING * limit.size);
         let mut by_slip = first * across * stiffness;
         let mut by_limit = first_by_limit;
         if let (true, Passage::Step(step)) = (is_step, passage) {
             let further = slip - rate * (0.5 * step.duration);
-            let (ahead, second, second_by_limit) = cut(&(force + further * stiffness), limit);
+            let (ahead, second, second_by_limit) = limit.cut(&(force + further * stiffness));
             force = ahead;
             by_slip = second * (first + Mat3::identity()) * across * stiffness;
             by_limit = second * by_limit + second_by_limit;
@@ -230,6 +278,14 @@ impl Contact {
         }
     }
 
+    /// Distance from the axis of the beam to where friction acts, m.
+    fn lever(&self) -> f64 {
+        match self.ground {
+            Ground::Rigid => self.radius,
+            Ground::Seabed { .. } => 0.0,
+        }
+    }
+
     /// How slip and position depend on coordinates.
     fn rows(&self, element: &AnyElement, c: &Configuration, xi: f64, arms: &Arms, across: &Mat3, lever: &Vec3) -> Rows {
         let weights = hermite::shape(xi, element.length());
@@ -238,7 +294,7 @@ impl Contact {
         for (weight, start) in weights.iter().zip(SHAPE_PLACES) {
             rows.position_by_element.fixed_columns_mut::<3>(start).copy_from(&(into * *weight));
         }
-        if self.radius > 0.0 {
+        if self.lever() > 0.0 {
             let turn_q = element.section_jacobian(&c.beams, xi).turn_q;
             rows.turn_by_element = into * turn_q.fixed_columns::<ELEMENT>(0);
         }

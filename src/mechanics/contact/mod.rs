@@ -49,6 +49,20 @@ pub struct Contact {
     pub law: Law,
     /// Its friction; none: it is smooth.
     pub friction: Option<Friction>,
+    /// Its ground.
+    pub ground: Ground,
+}
+
+/// The ground that a contact is with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ground {
+    /// A rigid surface, on which a beam rolls: friction acts on the surface of the beam.
+    Rigid,
+    /// A soft seabed, into which a beam sinks: friction acts on its axis.
+    Seabed {
+        /// The first equilibrium has friction too.
+        first: bool,
+    },
 }
 
 impl Contact {
@@ -77,6 +91,13 @@ impl Contact {
             | Marker::Node { offset, axes, .. }
             | Marker::Section { offset, axes, .. } => (offset, axes),
         }
+    }
+
+    /// How far points of `element` are above the surface at `c`, by their positions in it.
+    pub fn gap(&self, element: &AnyElement, c: &Configuration) -> impl Fn(f64) -> f64 {
+        let lying = self.lying(element, &self.carrier(c), c);
+        let (shape, radius) = (self.surface.shape, self.radius);
+        move |xi| shape.distance(&lying.point(xi)) - radius
     }
 
     /// How `element` lies in the axes of the surface, which `carrier` carries.

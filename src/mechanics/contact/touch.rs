@@ -134,7 +134,7 @@ impl Contact {
             let arms = Arms::at(carrier, arm(element, &weights, &carrier, c));
             let (velocity, velocity_by_q) = motion.unwrap_or((&[], 0.0));
             let rate = match motion {
-                Some(_) if self.law.damping != 0.0 => {
+                Some(_) if self.law.is_damped() => {
                     -normal.dot(&axes.tr_mul(&self.rate(element, &weights, &arms, c, velocity)))
                 }
                 _ => 0.0,

@@ -6,6 +6,7 @@ pub mod clamped_end;
 pub mod contact_loads;
 pub mod fiber_strain;
 pub mod joint_loads;
+pub mod laid;
 pub mod mesh_error;
 pub mod mode_shape;
 mod proportions;

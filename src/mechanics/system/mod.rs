@@ -247,7 +247,7 @@ impl System {
     /// Whether a spring or a material has damping.
     pub fn is_damped(&self) -> bool {
         self.springs.iter().any(Spring::is_damped)
-            || self.contacts.iter().any(|contact| contact.law.damping != 0.0)
+            || self.contacts.iter().any(|contact| contact.law.is_damped())
             || self.foundations.iter().any(|own| own.bedding.is_damped())
             || self.ropes.iter().any(|own| own.elasticity.damping != 0.0)
             || self.has_material_damping()

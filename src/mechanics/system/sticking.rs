@@ -3,6 +3,7 @@
 use super::System;
 use super::frame_cache::FrameCache;
 use crate::mechanics::contact::grip::REMEMBERED;
+use crate::mechanics::contact::{Contact, Ground};
 use crate::mechanics::force::law::Law;
 use crate::mechanics::force::rope::tensions::Hold;
 use crate::mechanics::input::prescribed::Prescribed;
@@ -101,6 +102,21 @@ impl System {
             Some(friction.coefficient * contact.law.stiffness / friction.stiffness * pressed / self.size)
         });
         ways.chain(contacts).fold(largest, |reach, way| reach.min(SMOOTH_SHARE * way))
+    }
+
+    /// The system without the friction of seabeds that begins behind the first equilibrium; none: it has no such
+    /// friction.
+    #[must_use]
+    pub fn before_friction(&self) -> Option<Self> {
+        let is_later = |contact: &Contact| contact.ground == Ground::Seabed { first: false };
+        let is_rough = |contact: &Contact| contact.friction.is_some_and(|own| own.coefficient != 0.0);
+        if !self.contacts.iter().any(|contact| is_later(contact) && is_rough(contact)) {
+            return None;
+        }
+        let mut own = self.clone();
+        let later = own.contacts.iter_mut().filter(|contact| is_later(contact));
+        later.filter_map(|contact| contact.friction.as_mut()).for_each(|own| own.coefficient = 0.0);
+        Some(own)
     }
 
     /// The system with the dry part of its friction taken off.

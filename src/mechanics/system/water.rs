@@ -254,6 +254,17 @@ impl System {
     }
 }
 
+impl System {
+    /// Force of the pressure of the still water on the section at this position of this element at `c`, N: the part of
+    /// the effective tension that the wall does not carry. 0 above the water.
+    pub fn outer_pressure(&self, (element, xi): (usize, f64), position: &Vec3) -> f64 {
+        let Some(water) = self.water.as_deref() else { return 0.0 };
+        let Some(wetted) = water.of(element) else { return 0.0 };
+        let depth = water.medium.surface - self.origin.z - position.z;
+        wetted.sections.at(xi).displaced * self.gravity.norm() * depth.max(0.0)
+    }
+}
+
 /// The water that acts at an instant, without loads.
 pub fn water_alone(gravity: Vec3, time: f64) -> Excitation {
     Excitation { time, gravity, water: 1.0, ..Excitation::default() }

@@ -15,6 +15,8 @@ pub struct Medium {
     pub surface: f64,
     /// Depth of the water, m; none: without end.
     pub depth: Option<f64>,
+    /// Rise of the bottom per length along x and along y, from the depth at the origin.
+    pub slope: [f64; 2],
     /// The flow without waves.
     pub current: Current,
     /// The waves.
@@ -97,6 +99,13 @@ impl Medium {
     /// The motion at `position`, of the state, and `time`, s.
     pub fn flow(&self, position: &Vec3, time: f64) -> Flow {
         self.seen(position, time).flow
+    }
+
+    /// The height of the bottom below `position`, of the state; of the state, m. None: the water has none.
+    pub fn bottom(&self, position: &Vec3) -> Option<f64> {
+        let [x, y, _] = (position + self.origin).into();
+        let rise = self.slope[0] * x + self.slope[1] * y;
+        Some(self.surface - self.depth? + rise - self.origin.z)
     }
 
     /// The height of the surface over or under `position`, of the state, at `time`, s; of the state, m.

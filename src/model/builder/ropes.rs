@@ -20,7 +20,7 @@ impl Builder<'_> {
                 Shape::Sheave { radius, .. } | Shape::Cylinder { radius, .. } | Shape::Sphere { radius, .. } => {
                     document.value(radius)
                 }
-                Shape::Plane(_) => 0.0,
+                Shape::Plane(_) | Shape::Bottom { .. } => 0.0,
             };
             (spec, Wheel { radius: of_surface + radius, turn: turn as f64 })
         });

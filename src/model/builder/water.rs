@@ -54,6 +54,7 @@ fn medium(document: &Document, written: &WaterSpec, origin: Vec3) -> Medium {
         density: value(written.density),
         surface: value(written.surface),
         depth: written.depth.map(value),
+        slope: document.slope_of_bottom(),
         current,
         waves: Waves { components: components(document, written), stretching: written.stretching },
         ramp: value(written.ramp),

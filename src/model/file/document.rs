@@ -8,8 +8,10 @@ use super::entries::load::Target;
 use super::entries::overview::ModelSpec;
 use super::entries::parameters;
 use super::entries::rope::RopeSpec;
+use super::entries::seabed;
 use super::entries::simulation::{Analysis, SimulationSpec, Steps};
 use super::entries::spring::SpringSpec;
+use super::entries::surface::Shape;
 use super::entries::water::WaterSpec;
 use super::entries::winch::WinchSpec;
 use super::entries::{Parts, keys_of};
@@ -86,7 +88,10 @@ impl Document {
 
         let model = tree.single(&mut context, "model").map(ModelSpec::read);
         let water = tree.optional(&mut context, "water").map(WaterSpec::read);
-        let parts = Parts::read(&mut context, |word| tree.table(word).unwrap_or_default());
+        let mut parts = Parts::read(&mut context, |word| tree.table(word).unwrap_or_default());
+        if let Some(reader) = tree.optional(&mut context, "seabed") {
+            seabed::read(reader, water.as_ref(), &mut parts);
+        }
         DriveSpec::report_doubles(&parts.drives, &mut context.report);
         WinchSpec::report_doubles(&parts.winches, &mut context.report);
         if parts.joints.len() == context.names.of(Kind::Joint).count() {
@@ -156,6 +161,15 @@ impl Document {
         let start = typed(slot, count as f64);
         let own = self.parameters.iter_mut().filter(|parameter| parameter.number == number);
         own.for_each(|parameter| parameter.variable.start = start);
+    }
+
+    /// Rise of the bottom of the water per length along x and along y.
+    pub fn slope_of_bottom(&self) -> [f64; 2] {
+        let slope = self.surfaces.iter().find_map(|own| match own.shape {
+            Shape::Bottom { slope, .. } => Some(slope.map(|number| self.value(number))),
+            _ => None,
+        });
+        slope.unwrap_or([0.0; 2])
     }
 
     /// The values of three numbers.
@@ -300,8 +314,16 @@ impl Top {
 
     /// What is left over, and whether there is anything to move.
     fn finish(self, context: &mut Context<'_>) {
-        let known =
-            || SECTIONS.iter().map(|(word, _)| *word).chain(["format", "model", "parameters", "simulation", "water"]);
+        let known = || {
+            SECTIONS.iter().map(|(word, _)| *word).chain([
+                "format",
+                "model",
+                "parameters",
+                "seabed",
+                "simulation",
+                "water",
+            ])
+        };
         for entry in &self.0 {
             let message = format!("unknown section or key `{}`", entry.key);
             let help = format!("known here: {}", known().collect::<Vec<_>>().join(", "));
@@ -385,7 +407,22 @@ fn collect_names(tree: &[Entry], context: &mut Context<'_>) -> Names {
         names.add(Named { name: name.clone(), kind, index, place: thing.key_place });
     }
     names.has_nameless = !nameless.is_empty();
+    name_seabed(tree, context, &mut names);
     names
+}
+
+/// Names the contact that `[seabed]` stands for, which outputs look at.
+fn name_seabed(tree: &[Entry], context: &mut Context<'_>, names: &mut Names) {
+    let Some(entry) = tree.iter().find(|entry| entry.key == seabed::NAME) else { return };
+    let place = entry.key_place;
+    for kind in [Kind::Contact, Kind::Surface] {
+        if let Some(first) = names.clash(kind, seabed::NAME) {
+            let message = format!("the {} `seabed` has the name of [seabed]", first.kind.word());
+            context.report.error(first.place, &message, "another name was expected", "[seabed] is a contact itself");
+        }
+    }
+    let index = names.of(Kind::Contact).count();
+    names.add(Named { name: seabed::NAME.to_owned(), kind: Kind::Contact, index, place });
 }
 
 /// The names of the things in a section that is not known: `arm` of `[baem.arm]`.

@@ -147,6 +147,7 @@ fn find(tree: &mut [Entry], path: &str, place: Place, report: &mut Report<'_>) -
     let message = match path.split_once('.') {
         Some(("simulation", key)) => return single("simulation", key),
         Some(("water", key)) if tree.iter().any(|entry| entry.key == "water") => return single("water", key),
+        Some(("seabed", key)) if tree.iter().any(|entry| entry.key == "seabed") => return single("seabed", key),
         Some((name, key)) => {
             let candidates = candidates(&names, name, key);
             if !candidates.is_empty() {

@@ -8,7 +8,7 @@ use crate::fmi::variable::{Causality, Variability, Variable};
 /// A number that can be changed from outside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Its place in the flat list.
+    /// Its index in the flat list.
     pub number: Number,
     /// Its row of the variable table.
     pub variable: Variable,

@@ -38,10 +38,16 @@ pub enum Quantity {
     Stress,
     /// Axial force of the section, which in water is the effective tension.
     EffectiveTension,
+    /// Axial force in the wall of the section.
+    WallTension,
     /// Angle of the tangent to the vertical.
     Declination,
+    /// Direction of the tangent, seen from above.
+    Azimuth,
     /// Depth of the axis below the surface of the water.
     Submergence,
+    /// Height of the axis above the bottom of the water.
+    Clearance,
     /// Velocity of the water.
     FluidVelocity,
     /// Drag of the water per length.
@@ -102,6 +108,10 @@ pub enum Quantity {
     ElasticEnergy,
     /// Potential energy of gravity of a whole beam or body.
     GravityEnergy,
+    /// Arc length at which a beam comes down on the seabed.
+    Touchdown,
+    /// Length of a beam that lies on the seabed.
+    LaidLength,
 }
 
 /// What an output looks at.
@@ -192,7 +202,7 @@ const MASS: Rows = Rows(&[Whole(Kind::Beam), Whole(Kind::Body)]);
 const WHOLE_BEAM: Rows = Rows(&[Whole(Kind::Beam)]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 48] = [
+pub const QUANTITIES: [Row; 53] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -258,13 +268,29 @@ pub const QUANTITIES: [Row; 48] = [
         "axial force of the section, tension positive: in water the effective tension",
     ),
     BEAM.row(
+        Quantity::WallTension,
+        "wall_tension",
+        1,
+        "N",
+        "axial force in the wall of the section, tension positive: the effective tension less the pressure of the \
+         still water around it",
+    ),
+    BEAM.row(
         Quantity::Declination,
         "declination",
         1,
         "rad",
         "angle between the tangent, towards the end of the beam, and the upward vertical z, 0 to pi",
     ),
+    BEAM.row(
+        Quantity::Azimuth,
+        "azimuth",
+        1,
+        "rad",
+        "angle from x towards y of the tangent, towards the end of the beam, seen from above, -pi to pi",
+    ),
     POINT.row(Quantity::Submergence, "submergence", 1, "m", "depth below the surface of the water, negative above it"),
+    POINT.row(Quantity::Clearance, "clearance", 1, "m", "height above the bottom of the water"),
     POINT.row(
         Quantity::FluidVelocity,
         "fluid_velocity",
@@ -355,6 +381,14 @@ pub const QUANTITIES: [Row; 48] = [
         "J",
         "potential energy of gravity of the whole part, zero at the origin",
     ),
+    WHOLE_BEAM.row(
+        Quantity::Touchdown,
+        "touchdown",
+        1,
+        "m",
+        "arc length at which the beam comes down on the seabed, from its higher end; -1: it does not touch it",
+    ),
+    WHOLE_BEAM.row(Quantity::LaidLength, "laid_length", 1, "m", "length of the beam that lies on the seabed"),
 ];
 
 impl Quantity {
@@ -367,7 +401,10 @@ impl Quantity {
     /// Whether it is what a section bears, or its strains, which follow from what it bears.
     pub fn is_of_section(self) -> bool {
         use Quantity::*;
-        matches!(self, SectionForce | SectionMoment | EffectiveTension | Stress | AxialStrain | Curvature | Torsion)
+        matches!(
+            self,
+            SectionForce | SectionMoment | EffectiveTension | WallTension | Stress | AxialStrain | Curvature | Torsion
+        )
     }
 
     /// Whether it differs between the sides of a section at which something acts; the largest stress is that of both.
@@ -378,7 +415,12 @@ impl Quantity {
     /// Whether it is of the water.
     pub fn is_of_water(self) -> bool {
         use Quantity::*;
-        matches!(self, Submergence | FluidVelocity | Drag | Elevation)
+        matches!(self, WallTension | Submergence | Clearance | FluidVelocity | Drag | Elevation)
+    }
+
+    /// Whether it is of a line on the seabed.
+    pub fn is_of_seabed(self) -> bool {
+        matches!(self, Self::Touchdown | Self::LaidLength)
     }
 
     /// Whether it is given along axes that can be chosen: it depends on who looks.
@@ -401,6 +443,7 @@ impl Quantity {
             SectionForce
                 | SectionMoment
                 | EffectiveTension
+                | WallTension
                 | Drag
                 | Effort
                 | Power
@@ -420,7 +463,7 @@ impl Quantity {
         use Quantity::*;
         let is_place =
             matches!(self, Position | Displacement | Rotation | Quaternion | Tilt | Twist | Angle | Distance)
-                || matches!(self, Declination | Submergence | Elevation);
+                || matches!(self, Declination | Azimuth | Submergence | Clearance | Elevation);
         is_place || matches!(self, Energy | KineticEnergy | ElasticEnergy | GravityEnergy)
     }
 
@@ -459,7 +502,7 @@ mod tests {
             assert_eq!(row.quantity.row(), row);
         }
         assert_eq!(
-            Quantity::GravityEnergy as usize,
+            Quantity::LaidLength as usize,
             QUANTITIES.len() - 1,
             "the last of the enum is the last of the table"
         );

@@ -21,7 +21,7 @@ const MOST_VALUES: usize = 1_000_000;
 /// Parameters that follow from one another, for a count.
 const DEPTH: usize = 50;
 /// What an included file may not have.
-const OF_MODELS: [&str; 3] = ["model", "simulation", "water"];
+const OF_MODELS: [&str; 4] = ["model", "seabed", "simulation", "water"];
 
 /// The flat model while it is filled.
 #[derive(Debug)]

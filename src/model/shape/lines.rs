@@ -164,7 +164,9 @@ fn laid(
     let sign = if floats { -1.0 } else { 1.0 };
     let ground = document.water.as_ref().filter(|_| !floats).and_then(|water| {
         let depth = document.value(water.depth?);
-        Some(document.value(water.surface) - depth - from.z)
+        // The end that lies lower is on the bottom, if any is.
+        let rise = rise_of_bottom(document, if from.z < to.z { from } else { to });
+        Some(document.value(water.surface) - depth + rise - from.z)
     });
     let found = match Catenary::new(arc, [distance, sign * span.z], ground) {
         Ok(found) => found,
@@ -209,6 +211,12 @@ fn laid(
     let shape = Shape::Expressions { coordinates: ends[0], range: [length; 2] };
     let written = CurveSpec { place: written, shape, polyline: false, spacing: Spacing::Arc };
     smooth(document, beam, &written, &curve, elements)
+}
+
+/// How far the bottom of the water below `point` is above that at the origin, m.
+fn rise_of_bottom(document: &Document, point: Vec3) -> f64 {
+    let [along_x, along_y] = document.slope_of_bottom();
+    along_x * point.x + along_y * point.y
 }
 
 /// Whether a beam weighs less than the water that it displaces.

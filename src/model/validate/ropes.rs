@@ -19,6 +19,7 @@ impl Checker<'_> {
         for surface in rope.wheels().filter_map(|(surface, _)| document.surfaces.get(surface)) {
             let objection = match surface.shape {
                 Shape::Plane(_) => "is a plane",
+                Shape::Bottom { .. } => "is the seabed",
                 Shape::Sphere { .. } => "is a sphere",
                 Shape::Cylinder { inside: true, .. } => "is the inside of a cylinder",
                 Shape::Sheave { groove, .. } if document.value(groove) < document.value(rope.radius) => {

@@ -7,6 +7,7 @@ use crate::model::file::entries::section::SectionSpec;
 use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
 use crate::model::file::entries::water::WaterSpec;
 use crate::model::file::number::Number;
+use crate::model::file::quantity::Quantity;
 use crate::model::shape::sections::outer_diameter;
 
 /// How to make a model wet.
@@ -41,6 +42,30 @@ impl Checker<'_> {
             self.mistake(water.place, message, "a model with [water] needs another integrator", help);
         }
         document.beams.iter().for_each(|beam| self.check_beam_in_water(beam));
+        if water.depth.is_none() {
+            self.refuse_outputs(|own| own == Quantity::Clearance, "its water has no bottom", "give `depth` in [water]");
+        }
+        self.check_seabed();
+    }
+
+    /// Reports outputs of lines on a seabed that is not there.
+    fn check_seabed(&mut self) {
+        if self.document.contacts.iter().all(|contact| contact.bed.is_none()) {
+            let help = "add [seabed] with its `stiffness`, and `depth` in [water]";
+            self.refuse_outputs(Quantity::is_of_seabed, "the model has no seabed", help);
+        }
+    }
+
+    /// Reports outputs with a quantity of which `is_meant` says so.
+    fn refuse_outputs(&mut self, is_meant: impl Fn(Quantity) -> bool, reason: &str, help: &str) {
+        let document = self.document;
+        for output in &document.outputs {
+            if let Some(quantity) = output.quantities.iter().find(|own| is_meant(**own)) {
+                let word = quantity.row().word;
+                let message = format!("output {} measures \"{word}\", and {reason}", output.name);
+                self.mistake(output.place, &message, "this is not known", help);
+            }
+        }
     }
 
     /// Reports what only a model with water has.
@@ -57,6 +82,7 @@ impl Checker<'_> {
                 self.mistake(output.place, &message, "a section [water] is missing", ADD_WATER);
             }
         }
+        self.check_seabed();
     }
 
     /// Drag along a beam counts with an area that conventions differ in.

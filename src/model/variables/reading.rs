@@ -56,12 +56,21 @@ pub(super) fn push_point(
         Quantity::Tilt => values.push(sensor.tilt(rotation)),
         Quantity::Twist => values.push(sensor.twist(system, c)),
         Quantity::Declination => values.push(sensor.marker.pose(c).axis(0).z.clamp(-1.0, 1.0).acos()),
-        Quantity::Submergence | Quantity::FluidVelocity | Quantity::Drag | Quantity::Elevation => {
+        Quantity::Azimuth => {
+            let tangent = sensor.marker.pose(c).axis(0);
+            values.push(tangent.y.atan2(tangent.x));
+        }
+        Quantity::Submergence
+        | Quantity::Clearance
+        | Quantity::FluidVelocity
+        | Quantity::Drag
+        | Quantity::Elevation => {
             push_of_water(values, moment, c, number, quantity);
         }
         Quantity::SectionForce
         | Quantity::SectionMoment
         | Quantity::EffectiveTension
+        | Quantity::WallTension
         | Quantity::Stress
         | Quantity::AxialStrain
         | Quantity::Curvature
@@ -92,7 +101,9 @@ pub(super) fn push_point(
         | Quantity::Length
         | Quantity::KineticEnergy
         | Quantity::ElasticEnergy
-        | Quantity::GravityEnergy => unreachable!("the file is refused: these belong to whole parts"),
+        | Quantity::GravityEnergy
+        | Quantity::Touchdown
+        | Quantity::LaidLength => unreachable!("the file is refused: these belong to whole parts"),
     }
 }
 
@@ -105,6 +116,10 @@ fn push_of_water(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, numb
     let depth = medium.height(&position, time) - position.z;
     match quantity {
         Quantity::Submergence => values.push(depth),
+        Quantity::Clearance => {
+            let bottom = medium.bottom(&position).expect("the file is refused: the water has a depth");
+            values.push(position.z - bottom);
+        }
         Quantity::Elevation => values.push(medium.height(&position, time) + system.origin.z),
         Quantity::FluidVelocity => {
             let flow = if depth >= 0.0 { medium.flow(&position, time).velocity } else { Vec3::zeros() };
@@ -134,6 +149,11 @@ fn push_section(values: &mut Vec<f64>, moment: &Moment, loads: &JointLoads, numb
     match quantity {
         Quantity::SectionForce => values.extend(section.wrench.force),
         Quantity::EffectiveTension => values.push(section.wrench.force[0]),
+        Quantity::WallTension => {
+            let position = sensor.marker.pose(loads.joints.c).place;
+            let pressure = sensor.in_element().map_or(0.0, |point| system.outer_pressure(point, &position));
+            values.push(section.wrench.force[0] - pressure);
+        }
         Quantity::SectionMoment => values.extend(section.wrench.moment),
         Quantity::AxialStrain => values.push(section.strains().axial),
         Quantity::Curvature => values.extend(section.strains().curvature),
@@ -301,9 +321,14 @@ pub(super) fn of_spring(spring: &Spring, quantity: Quantity, moment: &Moment, lo
     }
 }
 
-/// An energy of a beam or a body, J.
+/// An energy of a beam or a body, J, or how a beam lies on the seabed, m.
 pub(super) fn of_part(part: Part, quantity: Quantity, moment: &Moment, c: &Configuration) -> f64 {
     let Moment { system, state, .. } = moment;
+    match (quantity, part) {
+        (Quantity::Touchdown, Part::Beam(beam)) => return system.touchdown(beam, c),
+        (Quantity::LaidLength, Part::Beam(beam)) => return system.laid_length(beam, c),
+        _ => {}
+    }
     match quantity {
         Quantity::KineticEnergy => system.kinetic_energy_of(part, c, &state.velocity),
         Quantity::GravityEnergy => system.gravity_energy_of(part, c),

@@ -286,7 +286,7 @@ impl Artist<'_> {
         let all = points.chain(self.drawing.marks.iter().map(|mark| &mark.at));
         let size = 2.0 * all.flatten().fold(0.0, |size: f64, value| size.max(value.abs()));
         for surface in &document.surfaces {
-            let offset = Vec3::from(document.vector(surface.offset));
+            let offset = surface.offset(&document.numbers);
             let Some(center) = self.lines.carried(document, surface.on, offset) else { continue };
             let axes = surface.axes(&document.numbers);
             let mesh = surface.mesh(&document.numbers, size);

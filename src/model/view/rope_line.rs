@@ -17,7 +17,7 @@ pub(super) fn points(document: &Document, lines: &Lines, rope: &RopeSpec) -> Opt
     let mut wheels = rope.wheels().map(|(surface, turn)| {
         let spec = document.surfaces.get(surface)?;
         let (Shape::Sheave { radius, .. } | Shape::Cylinder { radius, .. }) = spec.shape else { return None };
-        let place = lines.carried(document, spec.on, Vec3::from(document.vector(spec.offset)))?;
+        let place = lines.carried(document, spec.on, spec.offset(&document.numbers))?;
         let radius = document.value(radius) + document.value(rope.radius);
         Some((Pose { place, axes: spec.axes(&document.numbers) }, Wheel { radius, turn: turn as f64 }))
     });

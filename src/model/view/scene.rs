@@ -178,7 +178,7 @@ fn on(surface: &SurfaceSpec, document: &Document, system: &System, c: &Configura
         }
     };
     let axes = part.pose(c).axes.tr_mul(&surface.axes(&document.numbers));
-    part.carried(&Vec3::from(document.vector(surface.offset)), &axes)
+    part.carried(&surface.offset(&document.numbers), &axes)
 }
 
 /// Sizes of the sections at `fractions` of a beam, over those at its start; none where all are alike.

@@ -110,7 +110,10 @@ impl Statics {
         let mut next = self.next.take().unwrap_or_else(|| state.clone());
         next.clone_from(state);
         let outcome = match state.statistics.steps {
-            0 => self.find_first(system, state, &mut next, time),
+            0 => {
+                let smooth = system.before_friction();
+                self.find_first(smooth.as_ref().unwrap_or(system), state, &mut next, time)
+            }
             _ => self.find_next(system, state, &mut next, time),
         };
         match outcome {

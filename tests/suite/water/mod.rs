@@ -4,6 +4,7 @@ mod added_mass;
 mod drag;
 mod lay;
 mod riser;
+mod seabed;
 mod surface;
 mod told_errors;
 mod waves;

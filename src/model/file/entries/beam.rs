@@ -205,7 +205,7 @@ impl BeamSpec {
     }
 
     pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, parts: &Parts) -> Option<Self> {
-        // The first ones stand in for what is reported: the beam must keep its place in the list.
+        // The first ones stand in for what is reported: the beam must keep its index in the list.
         let section = reader.reference("section", Kind::Section).unwrap_or(0);
         let has_material = parts.sections.get(section).is_some_and(SectionSpec::has_material);
         let material = if has_material {

@@ -60,6 +60,19 @@ pub struct ContactSpec {
     pub friction: Option<Number>,
     /// Force per length and displacement while both sides stick, N/m²; none: the stiffness.
     pub friction_stiffness: Option<Number>,
+    /// The seabed, whose stiffness and damping act on the diameter of beams; none: a surface.
+    pub bed: Option<Bed>,
+}
+
+/// How a contact with the bottom differs from one with a rigid surface: its numbers act on the diameter of the beam.
+#[derive(Clone, Copy, Debug)]
+pub struct Bed {
+    /// The axis of the beam touches, else its outside.
+    pub at_axis: bool,
+    /// Coefficient of friction across the beam; that of the contact is along it.
+    pub across: Option<Number>,
+    /// The first equilibrium has friction.
+    pub friction_in_statics: bool,
 }
 
 impl ContactSpec {
@@ -82,6 +95,7 @@ impl ContactSpec {
             damping,
             friction,
             friction_stiffness,
+            bed: None,
         })
     }
 

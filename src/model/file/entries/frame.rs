@@ -32,7 +32,7 @@ pub struct FrameSpec {
     pub name: String,
     /// Where the name stands.
     pub place: Place,
-    /// Its place, global, m; may change in time.
+    /// Its position, global, m; may change in time.
     pub position: [Number; 3],
     /// Its orientation.
     pub orientation: Orientation,

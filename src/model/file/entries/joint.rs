@@ -56,7 +56,7 @@ pub struct JointSpec {
     pub a: Anchor,
     /// The second side.
     pub b: Anchor,
-    /// Its place as drawn, global, m; default: that of b, of a where b is the ground.
+    /// Its position as drawn, global, m; default: that of b, of a where b is the ground.
     pub at: Option<[Number; 3]>,
     /// Its axis as drawn, global; there exactly where the kind has one. Of an inplane joint the normal of the plane.
     pub axis: Option<[Number; 3]>,

@@ -55,7 +55,7 @@ pub struct LoadSpec {
 pub enum Target {
     /// A point of a beam, or a body.
     At(Anchor),
-    /// A whole beam, by its place in the list: force and moment are per length.
+    /// A whole beam, by its index in the list: force and moment are per length.
     On(usize),
     /// A beam, by its place in the list, along which it moves.
     Moving {

@@ -26,6 +26,7 @@ pub mod parameters;
 pub mod point;
 pub mod reading;
 pub mod rope;
+pub mod seabed;
 pub mod section;
 pub mod simulation;
 pub mod spring;
@@ -83,6 +84,7 @@ macro_rules! parts {
             ("model", overview::KEYS),
             ("function", function::KEYS),
             ("water", water::KEYS),
+            ("seabed", seabed::KEYS),
             $((stringify!($module), $module::KEYS),)*
             ("simulation", simulation::KEYS),
         ];

@@ -26,7 +26,7 @@ pub struct PointSpec {
     pub place: Place,
     /// What it is tied to; default: the ground.
     pub on: Anchor,
-    /// Its place relative to that, in the axes of that, m: global axes of the ground, body axes from the center of
+    /// Its position relative to that, in the axes of that, m: global axes of the ground, body axes from the center of
     /// mass, section axes of a beam.
     pub offset: [Number; 3],
     /// Its axes as drawn, global, one per row; default: those of what it is tied to.

@@ -49,8 +49,8 @@ pub struct SurfaceSpec {
     /// The ground, a body or a frame.
     pub on: Spot,
     /// A point of the plane, the middle of the cylinder, the center of the sphere: relative to `on`, in the axes of
-    /// that, m.
-    pub offset: [Number; 3],
+    /// that, m; none: of the bottom.
+    pub offset: Option<[Number; 3]>,
     /// The shape.
     pub shape: Shape,
 }
@@ -87,6 +87,15 @@ pub enum Shape {
         /// Radius of the groove, m.
         groove: Number,
     },
+    /// The bottom of the water, below the origin at a depth.
+    Bottom {
+        /// Height of the still water, m.
+        surface: Number,
+        /// m.
+        depth: Number,
+        /// Rise per length along x and y.
+        slope: [Number; 2],
+    },
 }
 
 #[derive(Clone, Copy)]
@@ -111,7 +120,7 @@ impl SurfaceSpec {
             false => Some(Spot::Ground),
         };
         let word = reader.word("shape", &SHAPES, None);
-        let offset = reader.vector_or(&OFFSET, [0.0; 3]);
+        let offset = Some(reader.vector_or(&OFFSET, [0.0; 3]));
         // Without the shape nobody knows which keys belong here.
         let Some(word) = word else {
             reader.abandon();
@@ -136,6 +145,10 @@ impl SurfaceSpec {
 
     /// Its axes as drawn, global: the first one is along its normal or axis.
     pub fn axes(&self, numbers: &Numbers) -> Mat3 {
+        if let Shape::Bottom { slope, .. } = self.shape {
+            let [along_x, along_y] = slope.map(|number| numbers.value(number));
+            return triad_along(&Vec3::new(-along_x, -along_y, 1.0));
+        }
         let vector = |direction: [Number; 3]| Vec3::from(direction.map(|number| numbers.value(number)));
         self.direction().map_or_else(Mat3::identity, |direction| triad_along(&vector(direction)))
     }
@@ -146,7 +159,17 @@ impl SurfaceSpec {
             Shape::Plane(direction)
             | Shape::Cylinder { axis: direction, .. }
             | Shape::Sheave { axis: direction, .. } => Some(direction),
-            Shape::Sphere { .. } => None,
+            Shape::Sphere { .. } | Shape::Bottom { .. } => None,
+        }
+    }
+
+    /// Its position relative to what it is on, in the axes of that, m.
+    pub fn offset(&self, numbers: &Numbers) -> Vec3 {
+        let value = |number: Number| numbers.value(number);
+        match (self.shape, self.offset) {
+            (Shape::Bottom { surface, depth, .. }, _) => Vec3::new(0.0, 0.0, value(surface) - value(depth)),
+            (_, Some(offset)) => Vec3::from(offset.map(value)),
+            (_, None) => Vec3::zeros(),
         }
     }
 
@@ -177,7 +200,7 @@ impl SurfaceSpec {
     /// The surface for pictures; what has no ends is as large as `size`, m.
     pub fn mesh(&self, numbers: &Numbers, size: f64) -> Mesh {
         match self.shape {
-            Shape::Plane(_) => {
+            Shape::Plane(_) | Shape::Bottom { .. } => {
                 let half = 0.5 * size;
                 let corners = vec![[0.0, -half, -half], [0.0, half, -half], [0.0, half, half], [0.0, -half, half]];
                 Mesh { corners, faces: vec![vec![0, 1, 2, 3]] }
@@ -201,7 +224,7 @@ impl SurfaceSpec {
     }
 }
 
-/// The surface through rings about x, of which each has its place along x and its radius.
+/// The surface through rings about x, of which each has its position along x and its radius.
 fn rings(rings: impl IntoIterator<Item = [f64; 2]>) -> Mesh {
     let mut mesh = Mesh::default();
     for [x, radius] in rings {

@@ -19,7 +19,7 @@ pub struct Anchor {
     pub place: Place,
     /// What it is; of a point of the file what that is tied to.
     pub spot: Spot,
-    /// The place of a point of the file in the list of points: its offset and axes come on top of the spot.
+    /// The index of a point of the file in the list of points: its offset and axes come on top of the spot.
     pub point: Option<usize>,
 }
 
@@ -35,9 +35,9 @@ pub enum Spot {
         /// Where on it.
         along: Along,
     },
-    /// The center of mass of a body, by its place in the list of bodies.
+    /// The center of mass of a body, by its index in the list of bodies.
     Body(usize),
-    /// A frame, by its place in the list of frames.
+    /// A frame, by its index in the list of frames.
     Frame(usize),
 }
 

@@ -29,6 +29,14 @@ impl Reader<'_, '_> {
         Some(self.components(rule, &entry, VECTOR, None))
     }
 
+    /// Two numbers, or their default.
+    pub fn pair_or(&mut self, rule: &Rule, default: [f64; 2]) -> [Number; 2] {
+        match self.take(rule.key) {
+            Some(entry) => self.components(rule, &entry, "a list of 2", Some(default)),
+            None => std::array::from_fn(|i| self.default(rule, Some(i + 1), Written::Plain(default[i]))),
+        }
+    }
+
     /// Two numbers that may be left out.
     pub fn optional_pair(&mut self, rule: &Rule) -> Option<[Number; 2]> {
         let entry = self.take(rule.key)?;

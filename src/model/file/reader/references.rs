@@ -6,12 +6,12 @@ use crate::model::text::names::{Kind, suggestion};
 use crate::model::text::tree::{Item, Node};
 
 impl Reader<'_, '_> {
-    /// The name of another thing of the file: its place among its kind; none: a mistake, which is reported.
+    /// The name of another thing of the file: its index among its kind; none: a mistake, which is reported.
     pub fn reference(&mut self, key: &'static str, kind: Kind) -> Option<usize> {
         self.reference_among(key, &[kind]).map(|(_, index)| index)
     }
 
-    /// The name of another thing of the file, of one of these kinds: its kind and its place among it; none: a mistake,
+    /// The name of another thing of the file, of one of these kinds: its kind and its index among it; none: a mistake,
     /// which is reported.
     pub fn reference_among(&mut self, key: &'static str, kinds: &[Kind]) -> Option<(Kind, usize)> {
         let known = self.has(key);
@@ -25,7 +25,7 @@ impl Reader<'_, '_> {
         self.find(&name, place, kinds)
     }
 
-    /// The name of another thing of the file, or a list of names: their places among their kind; none: a mistake, which
+    /// The name of another thing of the file, or a list of names: their indices in their kind; none: a mistake, which
     /// is reported.
     pub fn references(&mut self, key: &'static str, kind: Kind) -> Option<Vec<usize>> {
         let Some(entry) = self.take(key) else {

@@ -1,6 +1,7 @@
 //! Whether contacts are stiff enough for what presses them.
 
 use crate::error::decimal;
+use crate::mechanics::contact::Ground;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -26,7 +27,9 @@ impl ContactWatch {
             return None;
         }
         let c = snapshot.of(system, state);
-        let found = system.contacts.iter().find_map(|contact| {
+        // Beams sink into a seabed as far as it gives.
+        let mut rigid = system.contacts.iter().filter(|contact| contact.ground == Ground::Rigid);
+        let found = rigid.find_map(|contact| {
             let thick = if contact.radius > 0.0 { OF_BEAM * contact.radius } else { f64::INFINITY };
             let bounds = [
                 (OF_SURFACE * contact.surface.shape.radius(), "1 % of the radius of the surface"),
