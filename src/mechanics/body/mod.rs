@@ -1,4 +1,5 @@
 //! Rigid bodies.
 
+pub mod in_water;
 pub mod kinematics;
 pub mod rigid_body;

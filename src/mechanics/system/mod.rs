@@ -27,6 +27,7 @@ mod switching;
 mod tangent_layout;
 pub mod variation;
 pub mod water;
+mod wet_bodies;
 mod winches;
 pub mod work;
 
@@ -46,6 +47,7 @@ use crate::mechanics::beam::ancf14::kinematics::Holonomy;
 use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::beam::node::Node;
+use crate::mechanics::body::in_water::WetBody;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
@@ -137,6 +139,8 @@ pub struct System {
     pub inner_parts: Vec<(usize, InnerPart)>,
     /// The water that beams are in; none: they are dry.
     pub water: Option<Box<Water>>,
+    /// The bodies that it acts on.
+    pub floating: Vec<WetBody>,
 }
 
 /// The largest size of numbers.
@@ -185,7 +189,15 @@ impl System {
             .actuators
             .iter()
             .any(|actuator| actuator.readings().iter().any(|own| own.coordinate != actuator.coordinate))
-            || self.water.as_ref().is_some_and(|water| water.drags())
+            || self.is_dragged_along()
+    }
+
+    /// Whether moving water drags beams or bodies along.
+    fn is_dragged_along(&self) -> bool {
+        let is_dragged = |own: &WetBody| own.drag.amax() > 0.0;
+        self.water
+            .as_ref()
+            .is_some_and(|water| water.drags() || water.medium.moves() && self.floating.iter().any(is_dragged))
     }
 
     /// What drives and frames prescribe at the start, `time` s; `from` is where drives by a rate are, and what is held
@@ -252,7 +264,7 @@ impl System {
             || self.ropes.iter().any(|own| own.elasticity.damping != 0.0)
             || self.has_material_damping()
             || self.has_mass_damping()
-            || self.water.as_ref().is_some_and(|water| water.drags())
+            || self.is_dragged_along()
     }
 
     /// Number of coordinates: those of the nodes, then those of the bodies.

@@ -4,6 +4,7 @@ use super::System;
 use super::tangent_layout::TangentLayout;
 use crate::math::Vec3;
 use crate::math::blocks::Blocks;
+use crate::math::vectors::{add_vec3, vec3};
 use crate::mechanics::beam::ancf14::coordinates::ELEMENT;
 use crate::mechanics::beam::ancf14::element::Element;
 use crate::mechanics::beam::ancf14::fluid_load::{ByCoordinates, Moving, Surroundings};
@@ -104,6 +105,9 @@ impl System {
             let moving = Moving::new(element, &c.beams, &of_beams);
             element.add_water(&own.passed(excitation, passage), &moving, -factor, &mut forces[element.coordinates()]);
         }
+        self.each_wet_body(c, passage, excitation, |own, found| {
+            add_vec3(forces, own.start, &(found.force * -factor));
+        });
     }
 
     /// Adds `factor` times the forces of the water, internal minus external, on beams with these coordinates,
@@ -115,6 +119,7 @@ impl System {
         factor: f64,
         forces: &mut [f64],
     ) {
+        self.add_water_on_bodies_at((q, velocity, acceleration), excitation, factor, forces);
         for own in self.wetted() {
             let element = own.element;
             let moving = Moving::with(element, q, velocity, acceleration);
@@ -144,6 +149,10 @@ impl System {
                 work += force * change;
             }
         }
+        self.each_wet_body(c, passage, excitation, |own, found| {
+            add_vec3(forces, own.start, &-found.force);
+            work += found.force.dot(&vec3(increment, own.start));
+        });
         work
     }
 
@@ -172,6 +181,7 @@ impl System {
             let forces = &mut forces[element.coordinates()];
             element.add_water_and_tangent(&surroundings, (&moving, by), [-1.0, -scale], forces, block);
         }
+        self.add_water_on_bodies_and_tangent(c, passage, excitation, scale, forces, tangent);
     }
 
     /// Adds `factor` times the derivative of the forces of the water with respect to the velocities to the blocks of
@@ -191,6 +201,7 @@ impl System {
             let block = tangent.block_mut(layout.element(own.wetted.element));
             element.add_water_damping(&own.surroundings(excitation), &moving, -factor, block);
         }
+        self.add_water_damping_of_bodies(c, velocity, excitation, factor, tangent);
     }
 
     /// Adds `factor` times the added mass matrix to the blocks of elements in `tangent`.
@@ -201,6 +212,7 @@ impl System {
             let block = tangent.block_mut(layout.element(own.wetted.element));
             element.add_added_mass(&at.surroundings(&own), &moving, factor, block);
         }
+        self.add_added_mass_of_bodies(at, factor, tangent);
     }
 
     /// Adds the product of the added mass matrix with `vector` to `product`; returns `vectorᵀ M_a vector`.
@@ -212,7 +224,7 @@ impl System {
             let product = &mut product[element.coordinates()];
             form += element.add_added_mass_times(&at.surroundings(&own), &moving, vector, product);
         }
-        form
+        form + self.add_added_mass_of_bodies_times(at, vector, product)
     }
 
     /// Whether water acts on it.

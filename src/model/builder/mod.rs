@@ -96,6 +96,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     let (mut system, mut state) = builder.system.finish(vector(document, document.model.gravity));
     system.origin = origin;
     system.water = water::water(document, &lines, &system);
+    system.floating = water::floating(document, &system);
     state.balance.account = document.simulation.totals.contains(&Total::Work).then(EnergyAccount::default);
     // The size of the mechanism is known now.
     tune::set_springs(document, &mut system);

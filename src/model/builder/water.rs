@@ -1,8 +1,9 @@
 //! The water of the file, with the elements that it acts on.
 
 use super::function_value;
-use crate::math::Vec3;
+use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::profile::inside;
+use crate::mechanics::body::in_water::WetBody;
 use crate::mechanics::system::System;
 use crate::mechanics::water::medium::{Current, Medium};
 use crate::mechanics::water::waves::{Component, Waves, wave_number};
@@ -41,6 +42,24 @@ pub(super) fn water(document: &Document, lines: &Lines, system: &System) -> Opti
         }
     }
     Some(Box::new(Water { medium: medium(document, written, system.origin), wetted }))
+}
+
+/// The bodies of `system` that water acts on.
+pub(super) fn floating(document: &Document, system: &System) -> Vec<WetBody> {
+    let Some(water) = &document.water else { return Vec::new() };
+    let density = document.value(water.density);
+    let bodies = document.bodies.iter().zip(&system.bodies).enumerate();
+    let wet = bodies.filter_map(|(number, (written, own))| {
+        let vector = |numbers: Option<[Number; 3]>| numbers.map_or([0.0; 3], |numbers| document.vector(numbers));
+        let volume = document.value(written.volume);
+        // Directors are principal axes, which need not be those of the file.
+        let turned = |own_axes: [f64; 3]| own.axes * Mat3::from_diagonal(&own_axes.into()) * own.axes.transpose();
+        let drag = turned(vector(written.drag_areas).map(|area| 0.5 * density * area));
+        let added = turned(vector(written.added_mass));
+        let is_wet = volume > 0.0;
+        is_wet.then_some(WetBody { body: number, start: own.start, volume, displaced: density * volume, drag, added })
+    });
+    wet.collect()
 }
 
 fn medium(document: &Document, written: &WaterSpec, origin: Vec3) -> Medium {

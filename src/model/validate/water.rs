@@ -3,6 +3,7 @@
 use super::Checker;
 use crate::mechanics::beam::design::Elements;
 use crate::model::file::entries::beam::BeamSpec;
+use crate::model::file::entries::body::BodySpec;
 use crate::model::file::entries::section::SectionSpec;
 use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
 use crate::model::file::entries::water::WaterSpec;
@@ -22,6 +23,7 @@ impl Checker<'_> {
         for section in &document.sections {
             self.check_drag_area(section);
         }
+        document.bodies.iter().for_each(|body| self.check_volume(body));
         let Some(water) = &document.water else {
             self.check_dry();
             return;
@@ -83,6 +85,23 @@ impl Checker<'_> {
             }
         }
         self.check_seabed();
+    }
+
+    /// Water acts on the volume of a body.
+    fn check_volume(&mut self, body: &BodySpec) {
+        let document = self.document;
+        let volume = document.value(body.volume);
+        let written = [("drag_areas", body.drag_areas), ("added_mass", body.added_mass)];
+        if let Some((key, numbers)) = written.into_iter().find_map(|(key, own)| Some((key, own?)))
+            && volume == 0.0
+        {
+            let message = format!("body {} has `{key}` and no volume", body.name);
+            let help = "give `volume`, m3, of the water that it displaces";
+            self.mistake(document.place(numbers[0]), &message, "water acts on its volume", help);
+        } else if volume > 0.0 && document.water.is_none() {
+            let message = format!("body {} has a volume, and the model has no water", body.name);
+            self.mistake(document.place(body.volume), &message, "a section [water] is missing", ADD_WATER);
+        }
     }
 
     /// Drag along a beam counts with an area that conventions differ in.

@@ -83,8 +83,10 @@ pub struct Moving {
 /// 1/s².
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ByCoordinates {
-    velocity: f64,
-    acceleration: f64,
+    /// 1/s.
+    pub velocity: f64,
+    /// 1/s².
+    pub acceleration: f64,
 }
 
 impl ByCoordinates {

@@ -14,6 +14,9 @@ pub(super) const KEYS: &[Key] = &[
     Key::global(&[&AXES], Role::Axes),
     Key::global(&[&BODY_VELOCITY], Role::Direction),
     Key::global(&[&ANGULAR_VELOCITY], Role::Direction),
+    Key::number(&[&VOLUME]),
+    Key::list(&[&DRAG_AREAS], "3"),
+    Key::list(&[&ADDED_MASS], "3"),
 ];
 
 const MASS: Rule = Rule::new("mass", "mass", "kg").above(0.0);
@@ -26,6 +29,12 @@ const AXES: Rule = Rule::new("axes", "body axes as drawn, global, one per row", 
 const BODY_VELOCITY: Rule = Rule::new("velocity", "initial velocity of the center of mass, global axes", "m/s");
 pub(super) const ANGULAR_VELOCITY: Rule =
     Rule::new("angular_velocity", "initial angular velocity, global axes", "rad/s");
+
+const VOLUME: Rule = Rule::new("volume", "volume that the body displaces in water; 0: no water acts", "m3").from(0.0);
+const DRAG_AREAS: Rule =
+    Rule::new("drag_areas", "drag coefficient times area in water along each body axis", "m2").from(0.0);
+const ADDED_MASS: Rule =
+    Rule::new("added_mass", "mass of water that moves with the body along each body axis", "kg").from(0.0);
 
 /// A section `[body.NAME]`.
 #[derive(Clone, Debug)]
@@ -46,6 +55,12 @@ pub struct BodySpec {
     pub velocity: [Number; 3],
     /// Initial angular velocity, global, rad/s.
     pub angular_velocity: [Number; 3],
+    /// Displaced volume, m³.
+    pub volume: Number,
+    /// Drag coefficient times area along each body axis, m².
+    pub drag_areas: Option<[Number; 3]>,
+    /// Mass of water that moves with it along each body axis, kg.
+    pub added_mass: Option<[Number; 3]>,
 }
 
 /// Inertia about the center of mass in body axes, kg m².
@@ -65,9 +80,23 @@ impl BodySpec {
         let axes = reader.table(&AXES);
         let velocity = reader.vector_or(&BODY_VELOCITY, [0.0; 3]);
         let angular_velocity = reader.vector_or(&ANGULAR_VELOCITY, [0.0; 3]);
-        let place = reader.place;
+        let volume = reader.number_or(&VOLUME, 0.0);
+        let (drag_areas, added_mass) = (reader.optional_vector(&DRAG_AREAS), reader.optional_vector(&ADDED_MASS));
+        let (name, place) = (name.to_owned(), reader.place);
         reader.finish();
-        Some(Self { name: name.to_owned(), place, mass, position, inertia, axes, velocity, angular_velocity })
+        Some(Self {
+            name,
+            place,
+            mass,
+            position,
+            inertia,
+            axes,
+            velocity,
+            angular_velocity,
+            volume,
+            drag_areas,
+            added_mass,
+        })
     }
 }
 
