@@ -18,6 +18,7 @@ mod live;
 mod loading;
 mod model_arguments;
 mod modes;
+mod moordyn;
 mod new;
 mod output;
 mod picture;
@@ -75,6 +76,9 @@ enum Command {
         /// The template
         #[arg(short, long, default_value = "beam")]
         template: String,
+        /// Convert an input file of MoorDyn instead
+        #[arg(long, value_name = "LINES", conflicts_with_all = ["template", "list"])]
+        from_moordyn: Option<PathBuf>,
         /// List the templates instead
         #[arg(long, conflicts_with = "name")]
         list: bool,
@@ -324,6 +328,7 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>, program: Option<&Path
 
 fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
     match command {
+        Command::New { name: Some(name), from_moordyn: Some(from), .. } => new::converted(&name, &from),
         Command::New { name: Some(name), template, .. } => new::new(&name, &template),
         Command::New { name: None, .. } => new::list(),
         Command::Run {

@@ -1,7 +1,7 @@
 //! `new`: a commented model file to start from.
 
 use super::voice::{print, say};
-use super::{Stop, output};
+use super::{Stop, moordyn, output};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
@@ -97,17 +97,7 @@ pub fn new(name: &Path, from: &str) -> Result<(), Stop> {
         let names = TEMPLATES.map(|template| template.name).join(", ");
         return bad(format!("there is no template `{from}`; the templates are {names}"));
     };
-    let file = match name.extension() {
-        Some(ending) if ending == "toml" => name.to_owned(),
-        _ => PathBuf::from(format!("{}.toml", name.display())),
-    };
-    if file.exists() {
-        return bad(format!("{} exists; choose another name", file.display()));
-    }
-    let title = title(file.file_stem().unwrap_or(OsStr::new("")));
-    let Some(title) = title else {
-        return bad(format!("{} is no name for a model; give one with a letter, as crane", name.display()));
-    };
+    let (file, title) = file_of(name)?;
     let changed = template.changes.iter().fold(template.text.to_owned(), |text, [old, new]| text.replace(old, new));
     let mut text = named(&changed, &title, &file);
     if !text.starts_with('#') {
@@ -117,6 +107,37 @@ pub fn new(name: &Path, from: &str) -> Result<(), Stop> {
     }
     output::write(&file, text.as_bytes())?;
     say(&format!("{0} written from the template {from}; next: ancf14 view {0}", file.display()))
+}
+
+/// Writes the model file `name` from the input file `from` of MoorDyn. A file that is there is kept.
+pub fn converted(name: &Path, from: &Path) -> Result<(), Stop> {
+    let (file, title) = file_of(name)?;
+    let shown = from.display();
+    let input = std::fs::read(from).map_err(|error| Stop::Bad(format!("error: cannot read {shown}: {error}")))?;
+    // Comments may have signs of any encoding.
+    let input = String::from_utf8_lossy(&input);
+    let own = from.file_name().unwrap_or(from.as_os_str()).to_string_lossy();
+    let made = moordyn::convert(&title, &own, &input)
+        .map_err(|message| Stop::Bad(format!("error: {shown} cannot be converted: {message}")))?;
+    output::write(&file, made.text.as_bytes())?;
+    made.notes.iter().try_for_each(|note| say(&format!("not the same: {note}")))?;
+    say(&format!("{0} written from {shown}; next: ancf14 view {0}", file.display()))
+}
+
+/// The file of a model that is to be written, and the name of the model.
+fn file_of(name: &Path) -> Result<(PathBuf, String), Stop> {
+    let bad = |message: String| Err(Stop::Bad(format!("error: {message}")));
+    let file = match name.extension() {
+        Some(ending) if ending == "toml" => name.to_owned(),
+        _ => PathBuf::from(format!("{}.toml", name.display())),
+    };
+    if file.exists() {
+        return bad(format!("{} exists; choose another name", file.display()));
+    }
+    match title(file.file_stem().unwrap_or(OsStr::new(""))) {
+        Some(title) => Ok((file, title)),
+        None => bad(format!("{} is no name for a model; give one with a letter, as crane", name.display())),
+    }
 }
 
 /// The name of the model in a file: `slack_cable` to `SlackCable`. None: there is no letter in it.
