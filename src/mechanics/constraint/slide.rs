@@ -65,16 +65,23 @@ impl Way {
         for _ in 0..MOST_CORRECTIONS + last {
             let point = AxisPoint::new(c, self.first_element + own, xi);
             let wanted = xi + point.correction(place);
-            // Not-a-number ends the search.
-            let is_inside = !(wanted < 0.0 || wanted > 1.0);
             let before = xi;
-            (own, xi) = match wanted {
-                _ if is_inside => (own, wanted),
-                _ if wanted > 1.0 && own < last => (own + 1, 0.0),
-                _ if wanted < 0.0 && own > 0 => (own - 1, 1.0),
-                _ => (own, wanted.clamp(0.0, 1.0)),
+            let is_over = match wanted {
+                _ if wanted > 1.0 && own < last => {
+                    (own, xi) = (own + 1, 0.0);
+                    false
+                }
+                _ if wanted < 0.0 && own > 0 => {
+                    (own, xi) = (own - 1, 1.0);
+                    false
+                }
+                _ => {
+                    xi = wanted.clamp(0.0, 1.0);
+                    let change = (xi - before).abs();
+                    change <= ROUND_OFF || change.is_nan()
+                }
             };
-            if is_inside && !((xi - before).abs() > ROUND_OFF) || !is_inside && xi == before {
+            if is_over {
                 break;
             }
         }

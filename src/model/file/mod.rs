@@ -10,6 +10,7 @@ pub(super) mod overrides;
 pub mod parameter;
 mod parts;
 pub mod quantity;
+mod quantity_families;
 pub mod range;
 pub(super) mod reader;
 mod released;

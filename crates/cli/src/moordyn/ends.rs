@@ -1,10 +1,10 @@
-//! What lines and rods hang on: points and bodies of MoorDyn.
+//! Attachments of lines and rods: points and bodies of MoorDyn.
 
 use super::deck::{Deck, Row};
 use super::text::{Text, listed, shown};
 use std::collections::BTreeMap;
 
-/// What holds the end of a line.
+/// The attachment of an end of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Held {
     /// The ground.
@@ -20,7 +20,7 @@ pub enum Held {
 pub struct End {
     /// Position, m.
     pub at: [f64; 3],
-    /// What holds it.
+    /// Its attachment.
     pub held: Held,
 }
 
@@ -62,7 +62,7 @@ const FIXED: [&str; 4] = ["fixed", "fix", "anchor", "ground"];
 const COUPLED: [&str; 8] = ["coupled", "vessel", "ves", "cpld", "fair", "fairlead", "coupledpinned", "cpldpin"];
 const FREE: [&str; 5] = ["free", "point", "connect", "con", "connection"];
 
-/// What a word says of a part.
+/// The meaning of a word for a part.
 pub enum Attachment {
     /// It is held by the ground.
     Fixed,
@@ -196,7 +196,7 @@ impl Ends {
         self.points.get(number)
     }
 
-    /// What holds a rod: the part of an attachment; none: it moves freely.
+    /// The part that holds a rod; none: it moves freely.
     pub fn holder(&self, attachment: &Attachment) -> Option<Held> {
         match attachment {
             Attachment::Fixed => Some(Held::Ground),

@@ -17,7 +17,7 @@ use self::text::{Text, shown};
 pub struct Converted {
     /// The model file.
     pub text: String,
-    /// What it does not carry over, or carries over in another way.
+    /// Remarks on input that it does not carry over, or carries over in another way.
     pub notes: Vec<String>,
 }
 

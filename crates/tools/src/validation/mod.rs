@@ -17,6 +17,7 @@ mod princeton;
 mod rigidities;
 mod ring;
 mod roll_up;
+mod seabed;
 mod shaft;
 mod spring;
 mod static_buckling;
@@ -56,7 +57,7 @@ pub enum Runs {
 }
 
 /// All sections in the order of the page.
-pub const CASES: [Case; 23] = [
+pub const CASES: [Case; 24] = [
     Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
     Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
     Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
@@ -77,6 +78,7 @@ pub const CASES: [Case; 23] = [
     Case { title: "Natural frequencies", runs: Runs::Short, write: frequencies::write },
     Case { title: "Blades", runs: Runs::Long, write: blades::write },
     Case { title: "Contact", runs: Runs::Long, write: contact::write },
+    Case { title: "Lines on the seabed", runs: Runs::Short, write: seabed::write },
     Case { title: "Steps chosen by an accuracy", runs: Runs::Long, write: chosen_steps::write },
     Case { title: "Estimated errors: equilibria", runs: Runs::Short, write: estimates::equilibria },
     Case { title: "Estimated errors: motion", runs: Runs::Long, write: estimates::motion },

@@ -75,7 +75,7 @@ pub struct Pull {
     pub start: [f64; MOST_SPANS],
     /// Change of the lengths of spans and of the arcs with them over a step, m: what the tensions work along.
     pub ways: [f64; MOST_SPANS],
-    /// What the stretches are at the end.
+    /// The stretches at the end.
     pub tensions: Tensions,
     /// Tension of each stretch, over a step its mean.
     pub pulls: [Tension; MOST_SPANS],

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// Wrap angle below which a rope has left its sheave, rad: less is round-off of a rope that just touches it.
 const LEFT: f64 = -1e-9;
 
-/// What has been seen of ropes and warned of.
+/// Ropes that have been seen and warned of.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct RopeWatch {
     warned: bool,
