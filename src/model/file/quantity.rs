@@ -335,7 +335,7 @@ pub const QUANTITIES: [Row; 53] = [
         "moment on side a of the joint, or on whatever moves the frame, about its place, in global axes: minus the reaction",
     ),
     FREE.row(Quantity::Angle, "angle", 1, "rad", "angle of b relative to a about the axis, 0 as drawn, counting turns"),
-    FREE.row(Quantity::Distance, "distance", 1, "m", "distance of b from a along the axis, of a slide along its beam, 0 as drawn"),
+    FREE.row(Quantity::Distance, "distance", 1, "m", "distance of b from a along the axis, 0 as drawn"),
     FREE.row(Quantity::AngleRate, "angle_rate", 1, "rad/s", "rate of the angle of b relative to a about the axis"),
     FREE.row(Quantity::DistanceRate, "distance_rate", 1, "m/s", "rate of the distance of b from a along the axis"),
     FREE.row(
