@@ -136,7 +136,8 @@ t = decimal(*.time)
     },
     /// A joint that slides along a beam has come to its end.
     #[error(
-        "{joint} has come to an end of beam {beam} at t = {t} s: hold it before with a spring to the end, let it turn back earlier, or draw the beam longer",
+        "{joint} has come to an end of beam {beam} at t = {t} s: hold it before \
+         with a spring to the end, let it turn back earlier, or draw the beam longer",
 t = decimal(*.time)
 )]
     SlidOff {

@@ -22,8 +22,8 @@ impl Histogram {
         self.largest = self.largest.max(size);
         let bin = size.to_bits() >> IGNORED;
         match self.bins.binary_search_by_key(&bin, |(own, _)| *own) {
-            Ok(place) => self.bins[place].1 = self.bins[place].1.saturating_add(1),
-            Err(place) => self.bins.insert(place, (bin, 1)),
+            Ok(bin_number) => self.bins[bin_number].1 = self.bins[bin_number].1.saturating_add(1),
+            Err(bin_number) => self.bins.insert(bin_number, (bin, 1)),
         }
     }
 

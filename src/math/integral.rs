@@ -141,10 +141,10 @@ impl Integral {
 fn rules(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let (mut sum, mut size, mut gauss) = (0.0, 0.0, 0.0);
-    for (number, (place, weight)) in PLACES.into_iter().zip(KRONROD).enumerate() {
-        let values = [f(middle - half * place), f(middle + half * place)];
+    for (number, (node, weight)) in PLACES.into_iter().zip(KRONROD).enumerate() {
+        let values = [f(middle - half * node), f(middle + half * node)];
         // The middle counts once.
-        let values = if place == 0.0 { &values[..1] } else { &values };
+        let values = if node == 0.0 { &values[..1] } else { &values };
         for value in values {
             sum += weight * value;
             size += weight * value.abs();
@@ -162,8 +162,8 @@ fn rules_to_ends(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64)
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let (sum, size, difference) = rules(f, from, to);
     let mut ends = [0.0; 2];
-    for (place, [below, above]) in PLACES.into_iter().zip(AT_END) {
-        let values = [f(middle - half * place), f(middle + half * place)];
+    for (node, [below, above]) in PLACES.into_iter().zip(AT_END) {
+        let values = [f(middle - half * node), f(middle + half * node)];
         ends[0] += above * values[0] + below * values[1];
         ends[1] += below * values[0] + above * values[1];
     }

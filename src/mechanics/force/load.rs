@@ -43,7 +43,7 @@ pub enum Site {
     Point(Marker),
     /// Along elements, by their numbers.
     Line(Range<usize>),
-    /// At a point that moves along a beam.
+    /// A point that moves along a beam.
     Moving(Box<Track>),
 }
 

@@ -120,8 +120,8 @@ impl SectionLoads<'_> {
         }
     }
 
-    /// Force and moment of a part that acts between the nodes of element `element`, with its marker; none: it moves, and
-    /// is on another element now.
+    /// Force and moment of a part that acts between the nodes of element `element`, with its marker; none: it moves,
+    /// and is on another element now.
     fn at_point(&self, part: InnerPart, element: usize) -> Option<(Marker, Acting)> {
         let JointLoads { system, state, c, .. } = *self.joints;
         let side = |is_b: bool| if is_b { Side::B } else { Side::A };

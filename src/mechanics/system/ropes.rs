@@ -78,8 +78,8 @@ impl System {
         }
     }
 
-    /// [`Self::add_rope_forces`], and sets the blocks of ropes to `scale` times their derivative; over a step twice that
-    /// by the coordinates at its end.
+    /// [`Self::add_rope_forces`], and sets the blocks of ropes to `scale` times their derivative; over a step twice
+    /// that by the coordinates at its end.
     #[inline(never)]
     pub(super) fn add_ropes_and_set_tangent(
         &self,

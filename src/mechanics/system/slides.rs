@@ -36,8 +36,8 @@ impl System {
         }
     }
 
-    /// How far along its beam the joint with the first entry `number` has slid from where it is drawn, by the arc length
-    /// as drawn, m, and how fast it slides while the coordinates change by `velocity`, m/s.
+    /// How far along its beam the joint with the first entry `number` has slid from where it is drawn, by the arc
+    /// length as drawn, m, and how fast it slides while the coordinates change by `velocity`, m/s.
     pub fn way_slid(&self, number: usize, c: &Configuration, velocity: &[f64]) -> Option<[f64; 2]> {
         let joint = &self.joints[number];
         let slide = joint.slide.as_ref()?;

@@ -157,7 +157,7 @@ fn presence(document: &Document, station: Number) -> Signal {
     let breaks = function.breaks(span);
     let function = Arc::new(function);
     let own = function.clone();
-    // In the very operations of `is_on`: both then switch at the same number.
+    // The very operations of `is_on`: both then switch at the same number.
     let bounds = move |interval| {
         let station = own.over(interval);
         station.sign().min((Bounds::constant(1.0) - station).sign())

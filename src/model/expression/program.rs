@@ -17,7 +17,7 @@ pub const DEEPEST: usize = 30;
 pub enum Operation {
     /// A number.
     Constant(f64),
-    /// A parameter, by its place in the list that the caller gives.
+    /// A parameter, by its number in the list that the caller gives.
     Parameter(usize),
     /// The variable, t, s or x.
     Variable,
@@ -31,7 +31,7 @@ pub enum Operation {
     Binary(Binary),
     /// A function of three arguments.
     Ternary(Ternary),
-    /// A function of the file, by its place in the list of those that the program calls.
+    /// A function of the file, by its number in the list of those that the program calls.
     Call(usize),
 }
 
@@ -274,7 +274,7 @@ impl Program {
     /// calls.
     pub fn parameters(&self) -> Box<dyn Iterator<Item = usize> + '_> {
         let own = self.operations.iter().filter_map(|operation| match operation {
-            Operation::Parameter(place) => Some(*place),
+            Operation::Parameter(slot) => Some(*slot),
             _ => None,
         });
         Box::new(own.chain(self.calls.iter().flat_map(|called| match &called.body {
@@ -287,7 +287,7 @@ impl Program {
     #[must_use]
     pub fn bound(&self, parameters: &dyn Fn(usize) -> f64) -> Self {
         let bind = |operation: &Operation| match *operation {
-            Operation::Parameter(place) => Operation::Constant(parameters(place)),
+            Operation::Parameter(slot) => Operation::Constant(parameters(slot)),
             other => other,
         };
         let operations: Vec<_> = self.operations.iter().map(bind).collect();
@@ -369,8 +369,8 @@ impl Program {
                     stack[height] = Jet::constant(value);
                     height += 1;
                 }
-                Operation::Parameter(place) => {
-                    stack[height] = Jet::constant(parameters(place));
+                Operation::Parameter(slot) => {
+                    stack[height] = Jet::constant(parameters(slot));
                     height += 1;
                 }
                 Operation::Variable => {

@@ -1,7 +1,8 @@
 //! Legal models that are hardly ever meant: parts that nothing holds, joints between places that do not meet, materials
 //! in other units than SI, stubby beams, angles in degrees, motions that begin with a blow, loads with a pole, steps
-//! almost as long as the motion or as an oscillation of what acts, too many switches, loads that miss their beam, forces that do not do what they
-//! should, elements too long for what they touch, copies in one place.
+//! almost as long as the motion or as an oscillation of what acts, too many switches, loads
+//! that miss their beam, forces that do not do what they should, elements too long for what they touch, copies
+//! in one place.
 
 mod angles;
 mod arms;

@@ -374,7 +374,7 @@ impl<'a> Order<'a> {
             let roomy = |least: usize| tied.iter().find(|front| rooms[**front] >= least);
             let taken = |front: &&usize| has_room(rooms[**front], rows, filled.contains(&list[**front]));
             let exact = roomy(rows).filter(|_| rows == WELD);
-            // Of one that slides along a beam the gradient by most groups is 0: it has its pivot behind all of them.
+            // The gradient of a slide by most groups is 0: it has its pivot behind all of them.
             let first = if tied.len() > MOST_HELD { None } else { tied.iter().find(taken).or(exact) };
             let host = first.or(tied.last()).copied().unwrap_or_default();
             rooms[host] = rooms[host].saturating_sub(rows);

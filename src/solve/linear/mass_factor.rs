@@ -61,7 +61,7 @@ impl MassFactor {
         });
         let mut chains: Vec<Chain> = Vec::new();
         // Of each unknown its position in its chain; of each first unknown the number of its chain.
-        let (mut place, mut number) = (vec![0; coordinates], vec![0; coordinates]);
+        let (mut slot, mut number) = (vec![0; coordinates], vec![0; coordinates]);
         for unknown in 0..coordinates {
             let begin = root(&mut chain, unknown);
             chain[unknown] = begin;
@@ -70,15 +70,15 @@ impl MassFactor {
                 chains.push(Chain { width: 1, unknowns: Vec::new(), factor: Cholesky::default() });
             }
             let own = &mut chains[number[begin]].unknowns;
-            place[unknown] = own.len();
+            slot[unknown] = own.len();
             own.push(unknown);
         }
         for own in &mut chains {
             own.unknowns.shrink_to_fit();
-            own.factor = Cholesky::new(own.unknowns.iter().map(|unknown| place[last[*unknown]]));
+            own.factor = Cholesky::new(own.unknowns.iter().map(|unknown| slot[last[*unknown]]));
         }
         each_entry(coordinates, blocks, |row, column, value| {
-            chains[number[chain[row]]].factor.column_mut(place[column])[place[row] - place[column]] += value;
+            chains[number[chain[row]]].factor.column_mut(slot[column])[slot[row] - slot[column]] += value;
         });
         let mut diagonal = Vec::new();
         for own in &mut chains {

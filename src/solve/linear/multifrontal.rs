@@ -342,9 +342,9 @@ impl Multifrontal {
             let values = blocks.block(number);
             let mut row = 0;
             while row < block.rows && block.columns > 0 {
-                let place = block.row + row;
+                let slot = block.row + row;
                 let (values, factors) = (&values[row..], factors.clone());
-                let sums = (&mut remainder[place..], &mut magnitude[place..]);
+                let sums = (&mut remainder[slot..], &mut magnitude[slot..]);
                 // As many rows as the compiler may keep at hand, of what blocks have: two nodes, a body, the conditions
                 // of joints.
                 row += match block.rows - row {

@@ -70,15 +70,15 @@ impl SparseLdl {
     /// `scale` from both sides; none where a pivot vanishes.
     pub fn negative_pivots(&mut self, blocks: &Blocks, scale: impl Fn(usize) -> f64) -> Option<usize> {
         self.values.fill(0.0);
-        for (place, value) in self.scatter.iter().zip(blocks.values()) {
-            self.values[*place] += value;
+        for (slot, value) in self.scatter.iter().zip(blocks.values()) {
+            self.values[*slot] += value;
         }
         for column in 0..self.size {
-            for place in self.column_starts[column]..self.column_starts[column + 1] {
-                let row = self.rows[place];
+            for slot in self.column_starts[column]..self.column_starts[column + 1] {
+                let row = self.rows[slot];
                 // Off the diagonal it is the sum of two.
                 let share = if row == column { 1.0 } else { 0.5 };
-                self.values[place] *= share * scale(column) * scale(row);
+                self.values[slot] *= share * scale(column) * scale(row);
             }
         }
         if self.values.iter().any(|value| !value.is_finite()) {

@@ -92,8 +92,8 @@ impl SparseLu {
     /// A value is not finite, or a pivot vanishes exactly.
     pub fn factorize(&mut self, blocks: &Blocks) -> Result<(), Singular> {
         self.values.fill(0.0);
-        for (place, value) in self.scatter.iter().zip(blocks.values()) {
-            self.values[*place] += value;
+        for (slot, value) in self.scatter.iter().zip(blocks.values()) {
+            self.values[*slot] += value;
         }
         if self.values.iter().any(|value| !value.is_finite()) {
             return Err(Singular);
@@ -115,9 +115,9 @@ impl SparseLu {
             let largest = &mut self.magnitude;
             largest.fill(0.0);
             for column in 0..self.size {
-                for place in self.column_starts[column]..self.column_starts[column + 1] {
-                    let row = self.rows[place];
-                    let value = (self.values[place] * self.scale[row] * self.scale[column]).abs();
+                for slot in self.column_starts[column]..self.column_starts[column + 1] {
+                    let row = self.rows[slot];
+                    let value = (self.values[slot] * self.scale[row] * self.scale[column]).abs();
                     largest[row] = largest[row].max(value);
                     largest[column] = largest[column].max(value);
                 }
@@ -129,8 +129,8 @@ impl SparseLu {
             }
         }
         for column in 0..self.size {
-            for place in self.column_starts[column]..self.column_starts[column + 1] {
-                self.scaled[place] = self.values[place] * self.scale[self.rows[place]] * self.scale[column];
+            for slot in self.column_starts[column]..self.column_starts[column + 1] {
+                self.scaled[slot] = self.values[slot] * self.scale[self.rows[slot]] * self.scale[column];
             }
         }
     }
@@ -209,10 +209,10 @@ impl SparseLu {
         self.solution.fill(0.0);
         self.magnitude.fill(0.0);
         for column in 0..self.size {
-            for place in self.column_starts[column]..self.column_starts[column + 1] {
-                let product = self.scaled[place] * self.remainder[column];
-                self.solution[self.rows[place]] += product;
-                self.magnitude[self.rows[place]] += product.abs();
+            for slot in self.column_starts[column]..self.column_starts[column + 1] {
+                let product = self.scaled[slot] * self.remainder[column];
+                self.solution[self.rows[slot]] += product;
+                self.magnitude[self.rows[slot]] += product.abs();
             }
         }
         let largest = |values: &[f64]| values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
@@ -250,12 +250,11 @@ impl SparseLu {
         let largest = scaled.fold(SMALLEST_SOLUTION, f64::max);
         for column in 0..self.size {
             let factor = self.solution[column];
-            for place in self.column_starts[column]..self.column_starts[column + 1] {
-                let row = self.rows[place];
-                let product = self.values[place] * factor;
+            for slot in self.column_starts[column]..self.column_starts[column + 1] {
+                let row = self.rows[slot];
+                let product = self.values[slot] * factor;
                 self.remainder[row] -= product;
-                self.magnitude[row] +=
-                    product.abs() + NEGLIGIBLE * self.scaled[place].abs() * largest / self.scale[row];
+                self.magnitude[row] += product.abs() + NEGLIGIBLE * self.scaled[slot].abs() * largest / self.scale[row];
             }
         }
         largest_share(&self.remainder, &self.magnitude)

@@ -77,8 +77,8 @@ impl Inertia {
         let mut gears = Vec::new();
         for (number, pair) in system.joints.windows(2).enumerate().filter(|(_, pair)| pair[1].is_second_side()) {
             gears.push((number + 1, blocks.layout().len()));
-            for place in 0..4 {
-                let [first, second] = [(&pair[0], place / 2), (&pair[1], place % 2)].map(|(joint, side)| {
+            for slot in 0..4 {
+                let [first, second] = [(&pair[0], slot / 2), (&pair[1], slot % 2)].map(|(joint, side)| {
                     let marker = if side == 0 { &joint.a } else { &joint.b };
                     marker.coordinates(&system.mesh)
                 });
@@ -117,9 +117,9 @@ impl Kkt {
             let (a, b) = (joint.a.coordinates(&system.mesh), joint.b.coordinates(&system.mesh));
             for (number, (rows, columns)) in [(&a, &a), (&a, &b), (&b, &a), (&b, &b)].into_iter().enumerate() {
                 let block = Block { row: rows.start, column: columns.start, rows: rows.len(), columns: columns.len() };
-                let place = blocks.push(block);
+                let slot = blocks.push(block);
                 if number == 0 {
-                    curvatures.push(place);
+                    curvatures.push(slot);
                 }
             }
         }
@@ -170,8 +170,8 @@ impl Kkt {
             let [a, b] = [joint.a.coordinates(&system.mesh).len(), joint.b.coordinates(&system.mesh).len()];
             let parts = &mut *self.parts;
             joint.phi_q_and_qq(c, own, gradient, parts);
-            for (place, (rows, part)) in [a, a, b, b].into_iter().zip(parts).enumerate() {
-                copy_corner(self.blocks.block_mut(first + place), rows, part, factor);
+            for (slot, (rows, part)) in [a, a, b, b].into_iter().zip(parts).enumerate() {
+                copy_corner(self.blocks.block_mut(first + slot), rows, part, factor);
             }
         }
     }
@@ -304,15 +304,15 @@ impl Kkt {
         let mut second_sides = gears.iter().peekable();
         for (number, ((_, rows), curvature)) in system.joints_with_rows().zip(&self.curvatures).enumerate() {
             let own = kept.partition_point(|number| number < curvature);
-            for place in 0..4 {
-                let pair = [sides(number)[place / 2], sides(number)[place % 2]];
-                add_yielding(blocks.block_mut(own + place), pair, rows.clone().map(stiffness));
+            for slot in 0..4 {
+                let pair = [sides(number)[slot / 2], sides(number)[slot % 2]];
+                add_yielding(blocks.block_mut(own + slot), pair, rows.clone().map(stiffness));
             }
             if let Some((_, between)) = second_sides.next_if(|(joint, _)| *joint == number) {
-                for place in 0..4 {
-                    let [first, second] = [sides(number - 1)[place / 2], sides(number)[place % 2]];
+                for slot in 0..4 {
+                    let [first, second] = [sides(number - 1)[slot / 2], sides(number)[slot % 2]];
                     for (turn, pair) in [[first, second], [second, first]].into_iter().enumerate() {
-                        add_yielding(blocks.block_mut(between + 2 * place + turn), pair, rows.clone().map(stiffness));
+                        add_yielding(blocks.block_mut(between + 2 * slot + turn), pair, rows.clone().map(stiffness));
                     }
                 }
             }
@@ -442,17 +442,18 @@ pub fn units(system: &System) -> Units {
 
 /// What a null vector that is largest in unknown `index` means.
 fn advice(system: &System, index: usize) -> String {
-    let place = system.describe_unknown(index);
+    let unknown = system.describe_unknown(index);
     if index < system.coordinates() {
         if let Some(short) = system.too_short_element(index) {
             return format!(
-                "{short} is too short for the others: its stiffness hides that of {place}; make the elements more alike"
+                "{short} is too short for the others: its stiffness hides that of {unknown}; make the elements more alike"
             );
         }
-        format!("{place} can move freely; hold it by a joint")
+        format!("{unknown} can move freely; hold it by a joint")
     } else {
         format!(
-            "{place} is redundant: other joints already impose its constraints; remove it, or take a joint with more degrees of freedom"
+            "{unknown} is redundant: other joints already impose its constraints; remove it, or take a joint with more \
+             degrees of freedom"
         )
     }
 }

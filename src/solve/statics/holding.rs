@@ -110,9 +110,9 @@ impl Statics {
         while let Some(index) = self.kkt.find_free_unknown(system).map_err(singular)? {
             let is_held = state.held.iter().any(|held| held.index == index);
             if is_held || state.held.len() == MOST {
-                let place = system.describe_unknown(index);
+                let slot = system.describe_unknown(index);
                 return Err(singular(format!(
-                    "{place} and more than {MOST} others can move freely; hold them by joints"
+                    "{slot} and more than {MOST} others can move freely; hold them by joints"
                 )));
             }
             let stiffness = SOFT / self.kkt.scale(index).powi(2);
@@ -133,7 +133,7 @@ impl Statics {
             let own = block.row == block.column && block.row < system.coordinates();
             let values = self.kkt.blocks.block(number);
             let diagonal = (0..if own { block.rows.min(block.columns) } else { 0 }).map(|k| k * block.rows + k);
-            diagonal.enumerate().map(|(k, place)| values[place].abs() * unit(block.row + k).powi(2)).collect::<Vec<_>>()
+            diagonal.enumerate().map(|(k, slot)| values[slot].abs() * unit(block.row + k).powi(2)).collect::<Vec<_>>()
         });
         let floor = ROUND_OFF * stiffest.fold(0.0, f64::max);
         for held in &state.held {
@@ -144,11 +144,11 @@ impl Statics {
             let terms = notable.map(|(index, value)| value * forces[index]);
             let (work, sum) = terms.fold((0.0, 0.0), |(work, sum): (f64, f64), term| (work + term, sum + term.abs()));
             if work.abs() > CANCELED * sum && work.abs() > floor * largest {
-                let place = system.describe_unknown(held.index);
+                let slot = system.describe_unknown(held.index);
                 let work = work.abs() / motion[held.index];
                 let (load, unit) = if system.is_place(held.index) { ("force", "N") } else { ("moment", "N m") };
                 let what = format!(
-                    "{place} can move freely, and a {load} of {} {unit} acts along this motion; hold it by a joint",
+                    "{slot} can move freely, and a {load} of {} {unit} acts along this motion; hold it by a joint",
                     decimal(f64::from(work as f32))
                 );
                 return Err(Error::Singular { time, what });

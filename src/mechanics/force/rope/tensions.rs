@@ -98,11 +98,11 @@ pub struct Tensions {
     pub passed: [f64; MOST_WHEELS],
     /// Slip over each grip, m.
     pub slips: [f64; MOST_WHEELS],
-    /// What each grip does.
+    /// The action of each grip.
     moves: [Move; MOST_WHEELS],
 }
 
-/// What a grip does.
+/// The action of a grip.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Move {
     /// There is none, or it sticks.
@@ -244,7 +244,7 @@ impl Tensions {
         }
     }
 
-    /// Of a grip that slides the factors of the tensions before and behind it, which are equal times these.
+    /// The factors of the tensions before and behind a grip that slides, which are equal times these.
     fn factors(&self, k: usize, grip: Option<&Grip>) -> Option<[f64; 2]> {
         let Hold::Friction(coefficient) = grip?.hold else { return None };
         let ratio = (coefficient * grip?.wrap.max(0.0)).exp();

@@ -11,7 +11,7 @@ use crate::mechanics::marker::Marker;
 use std::sync::Arc;
 
 impl SystemBuilder {
-    /// At a point that moves along a beam: at `station`, a fraction of its length, while `presence` is not negative.
+    /// A point that moves along a beam: at `station`, a fraction of its length, while `presence` is not negative.
     pub fn moving_along(&self, beam: usize, station: Signal, presence: Signal) -> Site {
         let beam = &self.system.beams[beam];
         let (first_element, division) = (beam.first_element, beam.division.clone());

@@ -24,7 +24,8 @@ const FORCE: Rule = Rule::new("force", "force", "N").tunable().in_time();
 const MOMENT: Rule = Rule::new("moment", "moment", "N.m").tunable().in_time();
 const STATION: Rule = Rule::new(
     "station",
-    "where on the beam `on` it acts: a fraction of the length, 0 at the start, 1 at the end; beyond them it acts on nothing",
+    "where on the beam `on` it acts: a fraction of the length, 0 at the start, 1 at the end; beyond them it acts on \
+     nothing",
     "",
 )
 .in_time();

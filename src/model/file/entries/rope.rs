@@ -61,7 +61,7 @@ pub struct RopeSpec {
     pub ends: [End; 2],
     /// The sheaves in its order, by their numbers among the surfaces.
     pub over: Vec<usize>,
-    /// For each drum and sheave in its order 1 where the rope runs right-handed about the axis, else -1.
+    /// The turn about each drum and sheave in its order: 1 where it is right-handed about the axis, else -1.
     pub turns: Vec<i64>,
     /// EA, N.
     pub stiffness: Number,

@@ -103,7 +103,8 @@ pub const WATCHED: Allowed = Allowed {
         Kind::Beam,
     ],
     ground: false,
-    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, GEAR, SPRING, FRICTION, STOP, LOCK, CONTACT, FOUNDATION or ROPE",
+    forms: "BEAM.start, BEAM.end, BEAM@0.5, BEAM.node[3], BODY, FRAME, POINT, JOINT, DRIVE, ACTUATOR, GEAR, SPRING, FRICTION, STOP, \
+            LOCK, CONTACT, FOUNDATION or ROPE",
 };
 
 /// What an observer can move with.

@@ -71,8 +71,8 @@ impl<'a> Rotor<'a> {
         };
         if !own.winches.is_empty() || own.is_in_water() || !own.foundations.is_empty() || !own.ropes.is_empty() {
             return Err(wrong(String::from(
-                "a mechanism with a winch, a foundation, a rope over sheaves, or beams in water does not turn steadily here; remove them \
-                 from the model",
+                "a mechanism with a winch, a foundation, a rope over sheaves, or beams in water does not turn steadily \
+                 here; remove them from the model",
             )));
         }
         let mut state = simulation.state().clone();

@@ -34,8 +34,10 @@ impl RopeWatch {
             if let Some(seat) = left.filter(|_| !self.warned) {
                 self.warned = true;
                 told = Some(format!(
-                    "rope {} has left sheave {} at t = {} s, and is computed as if it still ran over it: its wrap angle is {:.3} rad; \
-                     end the run before, take the sheave out of `over`, or model a rope that lifts off as a beam with a contact",
+                    "rope {} has left sheave {} at t = {} s, and is computed as if it still ran over it: its \
+                     wrap angle is {:.3} rad; \
+                     end the run before, take the sheave out of `over`, or model a rope that lifts off as a beam \
+                     with a contact",
                     rope.name,
                     rope.seats[seat].name,
                     decimal(state.instant()),

@@ -50,7 +50,8 @@ fn silent_arm(document: &Document, lines: &Lines, joint: &JointSpec, size: f64) 
     let [first, second] = [joint.a, joint.b].map(|side| name(document, side));
     if joint.kind == JointKind::Slide {
         let text = format!(
-            "joint {} slides on {first}, which is drawn at [{}, {}, {}], and {second} is drawn at {}. The distance, {} m, becomes a rigid arm on {second}. Draw {second} there. \
+            "joint {} slides on {first}, which is drawn at [{}, {}, {}], and {second} is drawn at {}. The \
+             distance, {} m, becomes a rigid arm on {second}. Draw {second} there. \
              If the arm is meant, put a [point.NAME] on {second} where it slides, and take that as b",
             joint.name,
             a[0],

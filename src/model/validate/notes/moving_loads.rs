@@ -19,7 +19,8 @@ pub fn absent_loads(document: &Document) -> Vec<Note> {
         let on = (0..=SAMPLES).filter(|sample| (0.0..=1.0).contains(&at(*sample))).count();
         let share = on as f64 / f64::from(SAMPLES + 1);
         let text = format!(
-            "is between 0 and 1, on the beam, for {:.1} % of the run alone. A station is a fraction of the length of the beam: divide a way in m by it",
+            "is between 0 and 1, on the beam, for {:.1} % of the run alone. A station is a fraction of \
+             the length of the beam: divide a way in m by it",
             100.0 * share
         );
         (share < LEAST_SHARE).then(|| Note::of(document, station, &text))
