@@ -4,9 +4,9 @@ use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::beam::configuration::Purpose;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::{Joint, JointGradient, MOST_CONDITIONS};
-use crate::mechanics::force::load::Site;
+use crate::mechanics::force::load::{Load, Site};
 use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
-use crate::mechanics::input::excitation::Excitation;
+use crate::mechanics::input::excitation::{Excitation, Wrench};
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::system::System;
@@ -160,13 +160,30 @@ impl System {
                 Site::Moving(track) if !is_constant => {
                     let marker = track.marker(station);
                     let Marker::Section { element, .. } = marker else { unreachable!("tracks are made of sections") };
-                    let block = tangent.block_mut(layout.element(element));
-                    let count = marker.coordinates(&self.mesh).len();
-                    add_corner(block, count, &load.point_force_q(&marker, c, wrench), -scale);
+                    self.add_moving_load_tangent(
+                        load,
+                        (&marker, wrench),
+                        c,
+                        -scale,
+                        tangent.block_mut(layout.element(element)),
+                    );
                 }
                 Site::Line(_) | Site::Moving(_) => {}
             }
         }
+    }
+
+    #[inline(never)]
+    fn add_moving_load_tangent(
+        &self,
+        load: &Load,
+        (marker, wrench): (&Marker, &Wrench),
+        c: &Configuration,
+        factor: f64,
+        block: &mut [f64],
+    ) {
+        let count = marker.coordinates(&self.mesh).len();
+        add_corner(block, count, &load.point_force_q(marker, c, wrench), factor);
     }
 
     #[inline(never)]

@@ -119,6 +119,7 @@ impl System {
 
     /// Adds `factor` times the derivative of the forces with respect to the velocities, at an instant with the
     /// velocities `velocity`, to the blocks of ropes in `tangent`.
+    #[inline(never)]
     pub(super) fn add_rope_damping(&self, c: &Configuration, velocity: &[f64], factor: f64, tangent: &mut Blocks) {
         let mut first = TangentLayout::of(self).first_rope();
         for rope in &self.ropes {
@@ -134,12 +135,14 @@ impl System {
     }
 
     /// Elastic energy of all ropes at `c`, J.
+    #[inline(never)]
     pub(super) fn rope_energy(&self, c: &Configuration) -> f64 {
         let energy = |rope: &Rope| rope.pull(c, &Passage::Rest).map_or(f64::NAN, |pull| rope.energy(&pull));
         self.ropes.iter().map(energy).sum()
     }
 
     /// Adds the forces of ropes over `step`, whose middle is `c`. Returns what they do to the energies.
+    #[inline(never)]
     pub(super) fn finish_ropes(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64]) -> RopeEnergy {
         let mut found = RopeEnergy::default();
         for rope in &self.ropes {
@@ -170,6 +173,7 @@ impl System {
     }
 
     /// Sets what ropes remember at the end of what `passage` says.
+    #[inline(never)]
     pub(super) fn remember_ropes(&self, c: &Configuration, passage: &Passage, memory: &mut [f64]) {
         for rope in &self.ropes {
             if let Some(pull) = rope.pull(c, passage) {
@@ -182,6 +186,7 @@ impl System {
     ///
     /// # Errors
     /// One is not.
+    #[inline(never)]
     pub(super) fn check_ropes(&self, c: &Configuration, time: f64) -> Result<(), Error> {
         for rope in &self.ropes {
             if let Some(span) = rope.impossible_span(c) {
@@ -198,6 +203,7 @@ impl System {
     }
 
     /// The first span of a rope that is impossible at `c`, in words.
+    #[inline(never)]
     pub(super) fn impossible_rope(&self, c: &Configuration) -> Option<String> {
         self.ropes.iter().find_map(|rope| {
             let span = rope.impossible_span(c)?;

@@ -56,6 +56,7 @@ impl System {
 
     /// Adds `factor` times the forces of the water on bodies, internal minus external, with these coordinates,
     /// velocities and accelerations.
+    #[inline(never)]
     pub(super) fn add_water_on_bodies_at(
         &self,
         (q, velocity, acceleration): (&[f64], &[f64], &[f64]),
@@ -73,6 +74,7 @@ impl System {
     /// Adds the forces of the water on bodies, internal minus external, and `scale` times their derivative with respect
     /// to the coordinates to the blocks of bodies in `tangent`; over a step twice that with respect to the coordinates
     /// at its end.
+    #[inline(never)]
     pub(super) fn add_water_on_bodies_and_tangent(
         &self,
         c: &Configuration,
@@ -91,6 +93,7 @@ impl System {
 
     /// Adds `factor` times the derivative of the forces of the water on bodies with respect to their velocities to the
     /// blocks of bodies in `tangent`.
+    #[inline(never)]
     pub(super) fn add_water_damping_of_bodies(
         &self,
         c: &Configuration,
@@ -115,6 +118,7 @@ impl System {
     }
 
     /// Adds `factor` times the added mass matrix of bodies to their blocks in `tangent`.
+    #[inline(never)]
     pub(super) fn add_added_mass_of_bodies(&self, at: WaterAt, factor: f64, tangent: &mut Blocks) {
         let layout = TangentLayout::of(self);
         self.each_added_mass(at, |own, found| {
@@ -123,6 +127,7 @@ impl System {
     }
 
     /// Adds the product of the added mass matrix of bodies with `vector` to `product`; returns `vectorᵀ M_a vector`.
+    #[inline(never)]
     pub(super) fn add_added_mass_of_bodies_times(&self, at: WaterAt, vector: &[f64], product: &mut [f64]) -> f64 {
         let mut form = 0.0;
         self.each_added_mass(at, |own, found| {
