@@ -98,9 +98,9 @@ def test_threads_and_forks_compute_the_same_bits(packed):
     assert quiet(program, packed / "unit/resources", *words) == ""
 
 
-# Of a thread, KiB: docs/portability.md promises that the first one is enough, and says that 152 are used. Compilers
+# Of a thread, KiB: docs/portability.md promises that the first one is enough, and says that 140 are used. Compilers
 # differ by some KiB.
-STACKS = [256, 160]
+STACKS = [256, 144]
 
 
 def bears_small_stacks(fmu, folder):

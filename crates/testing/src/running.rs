@@ -34,3 +34,22 @@ pub fn run(simulation: &mut Simulation, every: f64, stop: f64, mut watch: impl F
         watch(simulation);
     }
 }
+
+/// The bits of all variables.
+pub fn bits(simulation: &Simulation) -> Vec<u64> {
+    (0..simulation.variables().len()).map(|index| simulation.value(index).number().to_bits()).collect()
+}
+
+/// Advances to `end` twice from the present state, the second time from its copy, and goes back: all variables must have
+/// the same bits, which it returns.
+pub fn goes_on_to_the_bit(simulation: &mut Simulation, end: f64) -> Vec<u64> {
+    let snapshot = simulation.snapshot();
+    let [once, again] = [(); 2].map(|()| {
+        simulation.advance(end).unwrap_or_else(|failure| panic!("at {end} s: {}", failure.message));
+        let found = bits(simulation);
+        simulation.restore(&snapshot);
+        found
+    });
+    assert_eq!(once, again, "to {end} s");
+    once
+}

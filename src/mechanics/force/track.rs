@@ -26,8 +26,10 @@ impl Track {
     }
 
     /// The station at `time` (s), and whether the load is on the beam there. Off the beam it is that of the nearer end.
+    /// A station that is not a number is taken for one on the beam: the forces show it then.
     pub fn at(&self, time: f64) -> (f64, bool) {
-        (self.station.at(time).clamp(0.0, 1.0), self.presence.at(time) >= 0.0)
+        let station = self.station.at(time);
+        (station.clamp(0.0, 1.0), station.is_nan() || self.presence.at(time) >= 0.0)
     }
 
     /// The section at a station, 0 to 1.

@@ -45,42 +45,15 @@ impl System {
         self.ropes.iter().map(|rope| rope.parts.len() * rope.parts.len()).sum()
     }
 
-    /// Adds `factor` times the forces of ropes, internal minus external, at `c` as `passage` says.
-    #[inline(never)]
-    pub(super) fn add_rope_forces(&self, c: &Configuration, passage: &Passage, factor: f64, forces: &mut [f64]) {
-        for rope in &self.ropes {
-            let Some(pull) = rope.pull(c, passage) else { return undefined(rope, forces) };
-            self.add_spans(rope, c, (&lines(rope, c), &pull), factor, forces);
-        }
-    }
+    // What is done with a rope stands in functions of their own: their arrays are on the stack where there is a rope.
 
-    /// Adds `factor` times the forces of the spans of a rope with their directions at `c`.
-    fn add_spans(
-        &self,
-        rope: &Rope,
-        c: &Configuration,
-        (lines, pull): (&Lines, &Pull),
-        factor: f64,
-        forces: &mut [f64],
-    ) {
-        for (span, line) in lines.iter().enumerate().take(rope.spans()) {
-            let tension = pull.pulls[rope.stretch_of(span)].value * factor;
-            if tension == 0.0 {
-                continue;
-            }
-            let Some(line) = line else { return undefined(rope, forces) };
-            let parts = gradient(rope, span, c, &(line.reach_by * tension));
-            for (seat, part) in rope.seats[span..].iter().zip(&parts) {
-                let Some(own) = seat.part else { continue };
-                let range = &rope.parts[own];
-                add(forces, range.start, &part.as_slice()[..range.len()]);
-            }
-        }
+    /// Adds `factor` times the forces of ropes, internal minus external, at `c` as `passage` says.
+    pub(super) fn add_rope_forces(&self, c: &Configuration, passage: &Passage, factor: f64, forces: &mut [f64]) {
+        self.ropes.iter().for_each(|rope| add_forces(rope, c, passage, factor, forces));
     }
 
     /// [`Self::add_rope_forces`], and sets the blocks of ropes to `scale` times their derivative; over a step twice
     /// that by the coordinates at its end.
-    #[inline(never)]
     pub(super) fn add_ropes_and_set_tangent(
         &self,
         c: &Configuration,
@@ -89,127 +62,191 @@ impl System {
         forces: &mut [f64],
         tangent: &mut Blocks,
     ) {
-        let mut first = TangentLayout::of(self).first_rope();
-        for rope in &self.ropes {
-            let count = rope.parts.len() * rope.parts.len();
-            (first..first + count).for_each(|block| tangent.block_mut(block).fill(0.0));
-            let Some(pull) = rope.pull(c, passage) else { return undefined(rope, forces) };
-            let here = lines(rope, c);
-            self.add_spans(rope, c, (&here, &pull), 1.0, forces);
-            for (span, line) in here.iter().enumerate() {
-                let Some(line) = line else { continue };
-                let tension = pull.pulls[rope.stretch_of(span)].value;
-                add_turning(rope, span, c, line, tension * scale, (first, tangent));
-            }
-            let by_strain = |stretch: usize| pull.pulls[stretch].by_strain;
-            match passage {
-                Passage::Step(step) => {
-                    let there = lines(rope, step.end);
-                    let ends = [(c, &here), (step.end, &there)];
-                    add_stretching(rope, ends, &pull, |stretch| 2.0 * scale * by_strain(stretch), (first, tangent));
-                }
-                _ => {
-                    let ends = [(c, &here), (c, &here)];
-                    add_stretching(rope, ends, &pull, |stretch| scale * by_strain(stretch), (first, tangent));
-                }
-            }
-            first += count;
-        }
+        self.each_with_first_block(|rope, first| {
+            add_forces_and_set_tangent(rope, c, passage, scale, forces, (first, tangent));
+        });
     }
 
     /// Adds `factor` times the derivative of the forces with respect to the velocities, at an instant with the
     /// velocities `velocity`, to the blocks of ropes in `tangent`.
-    #[inline(never)]
     pub(super) fn add_rope_damping(&self, c: &Configuration, velocity: &[f64], factor: f64, tangent: &mut Blocks) {
+        self.each_with_first_block(|rope, first| {
+            if rope.elasticity.damping != 0.0 {
+                add_damping(rope, c, velocity, factor, (first, tangent));
+            }
+        });
+    }
+
+    /// Calls `take` with each rope and the number of its first block.
+    fn each_with_first_block(&self, mut take: impl FnMut(&Rope, usize)) {
         let mut first = TangentLayout::of(self).first_rope();
         for rope in &self.ropes {
-            if rope.elasticity.damping != 0.0
-                && let Some(pull) = rope.pull(c, &Passage::with_velocity(velocity))
-            {
-                let here = lines(rope, c);
-                let by_rate = |stretch: usize| factor * pull.pulls[stretch].by_rate;
-                add_stretching(rope, [(c, &here), (c, &here)], &pull, by_rate, (first, tangent));
-            }
+            take(rope, first);
             first += rope.parts.len() * rope.parts.len();
         }
     }
 
     /// Elastic energy of all ropes at `c`, J.
-    #[inline(never)]
     pub(super) fn rope_energy(&self, c: &Configuration) -> f64 {
-        let energy = |rope: &Rope| rope.pull(c, &Passage::Rest).map_or(f64::NAN, |pull| rope.energy(&pull));
-        self.ropes.iter().map(energy).sum()
+        self.ropes.iter().map(|rope| energy(rope, c)).sum()
     }
 
     /// Adds the forces of ropes over `step`, whose middle is `c`. Returns what they do to the energies.
-    #[inline(never)]
     pub(super) fn finish_ropes(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64]) -> RopeEnergy {
         let mut found = RopeEnergy::default();
-        for rope in &self.ropes {
-            let Some(pull) = rope.pull(c, &Passage::Step(*step)) else { continue };
-            self.add_spans(rope, c, (&lines(rope, c), &pull), 1.0, forces);
-            let elastic = rope.energy(&pull);
-            let work: f64 = (0..rope.stretches()).map(|k| pull.pulls[k].value * pull.ways[k]).sum();
-            found.elastic += elastic;
-            let given = rope.given_by_drums(&pull);
-            found.by_drums += given;
-            found.dissipated += work + given - (elastic - rope.energy_at_start(&pull));
-            if rope.seats.iter().any(|seat| matches!(seat.marker, Marker::Frame { .. })) {
-                let of_parts = (0..rope.spans()).filter_map(|span| {
-                    let weights = rope.line(span, c)?.reach_by * pull.pulls[rope.stretch_of(span)].value;
-                    let parts = gradient(rope, span, c, &weights);
-                    let markers = rope.seats[span..].iter().map(|seat| &seat.marker);
-                    Some(
-                        markers
-                            .zip(&parts)
-                            .map(|(own, part)| part.dot(&own_velocity(c, own, step.increment)))
-                            .sum::<f64>(),
-                    )
-                });
-                found.by_frames += work - of_parts.sum::<f64>();
-            }
-        }
+        self.ropes.iter().for_each(|rope| finish(rope, c, step, forces, &mut found));
         found
     }
 
     /// Sets what ropes remember at the end of what `passage` says.
-    #[inline(never)]
     pub(super) fn remember_ropes(&self, c: &Configuration, passage: &Passage, memory: &mut [f64]) {
-        for rope in &self.ropes {
-            if let Some(pull) = rope.pull(c, passage) {
-                rope.remember(&pull, memory);
-            }
-        }
+        self.ropes.iter().for_each(|rope| remember(rope, c, passage, memory));
     }
 
     /// Checks that the spans of ropes at `c` are possible, and that their free lengths have not been used up.
     ///
     /// # Errors
     /// One is not.
-    #[inline(never)]
     pub(super) fn check_ropes(&self, c: &Configuration, time: f64) -> Result<(), Error> {
-        for rope in &self.ropes {
-            if let Some(span) = rope.impossible_span(c) {
-                let [a, b] = [span, span + 1].map(|seat| rope.seats[seat].name.clone());
-                return Err(Error::RopeThroughWheel { time, rope: rope.name.clone(), a, b });
-            }
-            let Some(pull) = rope.pull(c, &Passage::Rest) else { continue };
-            let free = &pull.tensions.free[..rope.stretches()];
-            if let Some(span) = free.iter().position(|own| *own <= 0.0) {
-                return Err(Error::RopeUsedUp { time, rope: rope.name.clone(), span: span + 1 });
-            }
-        }
-        Ok(())
+        self.ropes.iter().try_for_each(|rope| check(rope, c, time))
     }
 
     /// The first span of a rope that is impossible at `c`, in words.
-    #[inline(never)]
     pub(super) fn impossible_rope(&self, c: &Configuration) -> Option<String> {
         self.ropes.iter().find_map(|rope| {
             let span = rope.impossible_span(c)?;
             let [a, b] = [span, span + 1].map(|seat| rope.seats[seat].name.as_str());
             Some(format!("span {} of rope {}, whose ends {a} and {b} are inside each other,", span + 1, rope.name))
         })
+    }
+}
+
+/// Adds `factor` times the forces of a rope.
+#[inline(never)]
+fn add_forces(rope: &Rope, c: &Configuration, passage: &Passage, factor: f64, forces: &mut [f64]) {
+    let Some(pull) = rope.pull(c, passage) else { return undefined(rope, forces) };
+    for span in 0..rope.spans() {
+        let tension = pull.pulls[rope.stretch_of(span)].value * factor;
+        if tension != 0.0 {
+            let Some(line) = rope.line(span, c) else { return undefined(rope, forces) };
+            add_span(rope, span, c, &(line.reach_by * tension), forces);
+        }
+    }
+}
+
+/// Adds the forces of a span whose tension has the derivatives `weights` by its scalar products.
+#[inline(never)]
+fn add_span(rope: &Rope, span: usize, c: &Configuration, weights: &Products, forces: &mut [f64]) {
+    let parts = gradient(rope, span, c, weights);
+    for (seat, part) in rope.seats[span..].iter().zip(&parts) {
+        let Some(own) = seat.part else { continue };
+        let range = &rope.parts[own];
+        add(forces, range.start, &part.as_slice()[..range.len()]);
+    }
+}
+
+/// Adds the forces of a rope, and sets its blocks from `first` on to `scale` times their derivative.
+#[inline(never)]
+fn add_forces_and_set_tangent(
+    rope: &Rope,
+    c: &Configuration,
+    passage: &Passage,
+    scale: f64,
+    forces: &mut [f64],
+    (first, tangent): (usize, &mut Blocks),
+) {
+    let count = rope.parts.len() * rope.parts.len();
+    (first..first + count).for_each(|block| tangent.block_mut(block).fill(0.0));
+    let Some(pull) = rope.pull(c, passage) else { return undefined(rope, forces) };
+    let here = lines(rope, c);
+    for (span, line) in here.iter().enumerate().take(rope.spans()) {
+        let tension = pull.pulls[rope.stretch_of(span)].value;
+        if tension != 0.0 {
+            let Some(line) = line else { return undefined(rope, forces) };
+            add_span(rope, span, c, &(line.reach_by * tension), forces);
+            add_turning(rope, span, c, line, tension * scale, (first, tangent));
+        }
+    }
+    let by_strain = |stretch: usize| pull.pulls[stretch].by_strain;
+    match passage {
+        Passage::Step(step) => {
+            let ends = [(c, &here), (step.end, &lines(rope, step.end))];
+            add_stretching(rope, ends, &pull, |stretch| 2.0 * scale * by_strain(stretch), (first, tangent));
+        }
+        _ => {
+            let ends = [(c, &here), (c, &here)];
+            add_stretching(rope, ends, &pull, |stretch| scale * by_strain(stretch), (first, tangent));
+        }
+    }
+}
+
+/// Adds `factor` times the derivative of the forces of a rope with respect to the velocities to its blocks from `first`
+/// on.
+#[inline(never)]
+fn add_damping(rope: &Rope, c: &Configuration, velocity: &[f64], factor: f64, (first, tangent): (usize, &mut Blocks)) {
+    if let Some(pull) = rope.pull(c, &Passage::with_velocity(velocity)) {
+        let here = lines(rope, c);
+        let by_rate = |stretch: usize| factor * pull.pulls[stretch].by_rate;
+        add_stretching(rope, [(c, &here), (c, &here)], &pull, by_rate, (first, tangent));
+    }
+}
+
+/// Elastic energy of a rope, J.
+#[inline(never)]
+fn energy(rope: &Rope, c: &Configuration) -> f64 {
+    rope.pull(c, &Passage::Rest).map_or(f64::NAN, |pull| rope.energy(&pull))
+}
+
+/// Adds the forces of a rope over a step, and its energies to `found`.
+#[inline(never)]
+fn finish(rope: &Rope, c: &Configuration, step: &TimeStep, forces: &mut [f64], found: &mut RopeEnergy) {
+    let Some(pull) = rope.pull(c, &Passage::Step(*step)) else { return };
+    let has_frame = rope.seats.iter().any(|seat| matches!(seat.marker, Marker::Frame { .. }));
+    let mut of_parts = 0.0;
+    for span in 0..rope.spans() {
+        let tension = pull.pulls[rope.stretch_of(span)].value;
+        if tension == 0.0 {
+            continue;
+        }
+        let Some(line) = rope.line(span, c) else { return undefined(rope, forces) };
+        let weights = line.reach_by * tension;
+        add_span(rope, span, c, &weights, forces);
+        if has_frame {
+            let parts = gradient(rope, span, c, &weights);
+            let markers = rope.seats[span..].iter().map(|seat| &seat.marker);
+            of_parts +=
+                markers.zip(&parts).map(|(own, part)| part.dot(&own_velocity(c, own, step.increment))).sum::<f64>();
+        }
+    }
+    let elastic = rope.energy(&pull);
+    let work: f64 = (0..rope.stretches()).map(|k| pull.pulls[k].value * pull.ways[k]).sum();
+    let given = rope.given_by_drums(&pull);
+    found.elastic += elastic;
+    found.by_drums += given;
+    found.dissipated += work + given - (elastic - rope.energy_at_start(&pull));
+    found.by_frames += if has_frame { work - of_parts } else { 0.0 };
+}
+
+/// Sets what a rope remembers.
+#[inline(never)]
+fn remember(rope: &Rope, c: &Configuration, passage: &Passage, memory: &mut [f64]) {
+    if let Some(pull) = rope.pull(c, passage) {
+        rope.remember(&pull, memory);
+    }
+}
+
+/// Checks a rope: see [`System::check_ropes`].
+#[inline(never)]
+fn check(rope: &Rope, c: &Configuration, time: f64) -> Result<(), Error> {
+    if let Some(span) = rope.impossible_span(c) {
+        let [a, b] = [span, span + 1].map(|seat| rope.seats[seat].name.clone());
+        return Err(Error::RopeThroughWheel { time, rope: rope.name.clone(), a, b });
+    }
+    let Some(pull) = rope.pull(c, &Passage::Rest) else { return Ok(()) };
+    let free = &pull.tensions.free[..rope.stretches()];
+    match free.iter().position(|own| *own <= 0.0) {
+        Some(span) => Err(Error::RopeUsedUp { time, rope: rope.name.clone(), span: span + 1 }),
+        None => Ok(()),
     }
 }
 
@@ -234,6 +271,7 @@ fn gradient(rope: &Rope, span: usize, c: &Configuration, weights: &Products) -> 
 }
 
 /// Adds `tension` times the second derivative of the reach of a span to the blocks of its rope from `first` on.
+#[inline(never)]
 fn add_turning(
     rope: &Rope,
     span: usize,
@@ -242,9 +280,6 @@ fn add_turning(
     tension: f64,
     (first, tangent): (usize, &mut Blocks),
 ) {
-    if tension == 0.0 {
-        return;
-    }
     let ends = &rope.seats[span..span + 2];
     let ([a, b], sides) = (rope.poses(span, c), rope.poses_q(span, c));
     let weights = line.reach_by * tension;
@@ -280,6 +315,7 @@ fn add_turning(
 
 /// Adds `weight` of each stretch times the product of the gradient of its length at the first configuration and of the
 /// gradient of its strain at the second one to the blocks of a rope from `first` on.
+#[inline(never)]
 fn add_stretching(
     rope: &Rope,
     [(c, here), (end, there)]: [(&Configuration, &Lines); 2],

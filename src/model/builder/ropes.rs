@@ -13,42 +13,29 @@ impl Builder<'_> {
     pub(super) fn add_rope(&mut self, written: &RopeSpec) {
         let document = self.document;
         let radius = document.value(written.radius);
-        let mut seats = Vec::new();
-        let mut wheels = written.wheels().map(|(surface, turn)| {
-            let spec = &document.surfaces[surface];
-            let of_surface = match spec.shape {
-                Shape::Sheave { radius, .. } | Shape::Cylinder { radius, .. } | Shape::Sphere { radius, .. } => {
-                    document.value(radius)
-                }
-                Shape::Plane(_) | Shape::Bottom { .. } => 0.0,
-            };
-            (spec, Wheel { radius: of_surface + radius, turn: turn as f64 })
+        let wheels: Vec<_> = written
+            .wheels()
+            .map(|(surface, turn)| {
+                let spec = &document.surfaces[surface];
+                let of_surface = match spec.shape {
+                    Shape::Sheave { radius, .. } | Shape::Cylinder { radius, .. } => document.value(radius),
+                    // The file is refused.
+                    Shape::Plane(_) | Shape::Sphere { .. } | Shape::Bottom { .. } => 0.0,
+                };
+                let wheel = Wheel { radius: of_surface + radius, turn: turn as f64 };
+                (spec.name.clone(), self.surface(spec).marker, wheel)
+            })
+            .collect();
+        // Drums are the first and the last wheel.
+        let [first, last] = [(0, "its start"), (1, "its end")].map(|(number, name)| match &written.ends[number] {
+            End::Point(anchor) => {
+                let marker = self.anchored(anchor);
+                self.stiffen_below(&marker);
+                Some((String::from(name), marker, Wheel::POINT))
+            }
+            End::Drum(_) => None,
         });
-        let count = written.over.len();
-        for (number, end) in written.ends.iter().enumerate() {
-            let from_wheels = match end {
-                End::Point(_) => 0,
-                End::Drum(_) => 1,
-            };
-            if number == 1 {
-                for (spec, wheel) in wheels.by_ref().take(count) {
-                    seats.push((spec.name.clone(), self.surface(spec).marker, wheel));
-                }
-            }
-            match end {
-                End::Point(anchor) => {
-                    let marker = self.anchored(anchor);
-                    self.stiffen_below(&marker);
-                    let name = if number == 0 { "its start" } else { "its end" };
-                    seats.push((String::from(name), marker, Wheel::POINT));
-                }
-                End::Drum(_) => {
-                    for (spec, wheel) in wheels.by_ref().take(from_wheels) {
-                        seats.push((spec.name.clone(), self.surface(spec).marker, wheel));
-                    }
-                }
-            }
-        }
+        let seats: Vec<_> = first.into_iter().chain(wheels).chain(last).collect();
         let names: Vec<String> = seats.iter().map(|(name, ..)| name.clone()).collect();
         let slack = match written.slack {
             rope::Slack::Drawn => Slack::Strain(0.0),

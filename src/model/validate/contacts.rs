@@ -1,9 +1,7 @@
 //! Mistakes of the beams and surfaces of a contact.
 
 use super::Checker;
-use crate::mechanics::beam::design::Elements;
 use crate::model::file::entries::contact::ContactSpec;
-use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
 use crate::model::file::entries::surface::Shape;
 use crate::model::shape::contacts::contact_radius;
 
@@ -11,26 +9,14 @@ impl Checker<'_> {
     /// Reports what a contact cannot have.
     pub(super) fn check_contact(&mut self, contact: &ContactSpec) {
         let document = self.document;
-        for beam in contact.beams.iter().filter_map(|beam| document.beams.get(*beam)) {
-            let winch = document.winches.iter().find(|own| document.beams[own.beam].name == beam.name);
-            let (objection, help) = if matches!(beam.formulation, Elements::Ancf24 { .. }) {
-                ("its elements are of ancf24", "use element = \"ancf14\"")
-            } else if winch.is_some() {
-                ("a winch pays it out, and its material passes through the mesh", "divide it into two beams")
-            } else {
+        for number in &contact.beams {
+            let (Some(beam), Some([label, help])) = (document.beams.get(*number), self.unfit_along(*number)) else {
                 continue;
             };
             let message = format!("beam {} cannot touch surfaces in contact {}", beam.name, contact.name);
-            self.mistake(contact.place, &message, objection, help);
+            self.mistake(contact.place, &message, label, help);
         }
-        let simulation = &document.simulation;
-        if simulation.analysis == Analysis::Dynamic
-            && matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
-        {
-            let message = format!("generalized_alpha does not support contacts, and {} is one", contact.name);
-            let label = "a model with this contact needs another integrator";
-            self.mistake(contact.place, &message, label, "leave integrator out: the default supports contacts");
-        }
+        self.refuse_generalized_alpha(contact.place, ["contact", "contacts"], &contact.name);
         for (beam, surface) in contact.pairs() {
             let (Some(_), Some(surface)) = (document.beams.get(beam), document.surfaces.get(surface)) else { continue };
             let room = match surface.shape {

@@ -26,6 +26,7 @@ use super::file::entries::gear::{GearSpec, Relation};
 use super::file::entries::joint::{JointKind, JointSpec};
 use super::file::entries::load;
 use super::file::entries::material::Lateral;
+use super::file::entries::simulation::{Analysis, IntegratorSpec};
 use super::file::entries::stop::StopSpec;
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
@@ -158,6 +159,30 @@ struct Checker<'a> {
 impl Checker<'_> {
     fn mistake(&mut self, place: Place, message: &str, label: &str, help: &str) {
         self.mistakes.push(self.document.diagnostic(place, message, label, help));
+    }
+
+    /// Reports that the integrator `generalized_alpha` does not support `name`, one of the `parts`, in a motion.
+    fn refuse_generalized_alpha(&mut self, place: Place, [part, parts]: [&str; 2], name: &str) {
+        let simulation = &self.document.simulation;
+        if simulation.analysis == Analysis::Dynamic
+            && matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
+        {
+            let message = format!("generalized_alpha does not support {parts}, and {name} is one");
+            let label = format!("a model with this {part} needs another integrator");
+            self.mistake(place, &message, &label, &format!("leave integrator out: the default supports {parts}"));
+        }
+    }
+
+    /// Why nothing can act along a beam but at its nodes, and the remedy.
+    fn unfit_along(&self, beam: usize) -> Option<[&'static str; 2]> {
+        let document = self.document;
+        if matches!(document.beams.get(beam)?.formulation, Elements::Ancf24 { .. }) {
+            Some(["its elements are of ancf24", "use element = \"ancf14\""])
+        } else if document.winches.iter().any(|own| own.beam == beam) {
+            Some(["a winch pays it out, and its material passes through the mesh", "divide it into two beams"])
+        } else {
+            None
+        }
     }
 
     /// The line of a beam, if it can be drawn.

@@ -3,7 +3,6 @@
 use super::Checker;
 use crate::mechanics::force::rope::tensions::MOST_WHEELS;
 use crate::model::file::entries::rope::RopeSpec;
-use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
 use crate::model::file::entries::surface::Shape;
 
 /// Ends of a rope.
@@ -36,13 +35,6 @@ impl Checker<'_> {
             let label = format!("at most {} are possible", MOST_WHEELS - ENDS);
             self.mistake(rope.place, &message, &label, "divide it into two ropes");
         }
-        let simulation = &document.simulation;
-        if simulation.analysis == Analysis::Dynamic
-            && matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
-        {
-            let message = format!("generalized_alpha does not support ropes, and {} is one", rope.name);
-            let label = "a model with this rope needs another integrator";
-            self.mistake(rope.place, &message, label, "leave integrator out: the default supports ropes");
-        }
+        self.refuse_generalized_alpha(rope.place, ["rope", "ropes"], &rope.name);
     }
 }

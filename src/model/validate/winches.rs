@@ -6,7 +6,6 @@ use crate::mechanics::beam::design::Elements;
 use crate::model::file::entries::actuator::Action;
 use crate::model::file::entries::curve::Line;
 use crate::model::file::entries::load::Target;
-use crate::model::file::entries::simulation::{Analysis, IntegratorSpec};
 use crate::model::file::entries::winch::WinchSpec;
 use crate::model::file::reader::anchor::{Anchor, Spot};
 use crate::model::shape::sections;
@@ -19,7 +18,7 @@ impl Checker<'_> {
         let Some(paid_out) = document.beams.get(winch.beam).map(|_| winch.beam) else { return };
         let mut held: Vec<(&str, &str, Anchor)> = Vec::new();
         for joint in &document.joints {
-            held.extend([joint.a, joint.b].map(|side| ("joint", joint.name.as_str(), side)));
+            held.extend(joint.held().map(|side| ("joint", joint.name.as_str(), side)));
         }
         for spring in &document.springs {
             held.extend(spring.ends().into_iter().flatten().map(|end| ("spring", spring.name.as_str(), end)));
@@ -61,18 +60,7 @@ impl Checker<'_> {
                 self.mistake(anchor.place, &message, label, "hold an end of the beam, or divide it into two beams");
             }
         }
-        let simulation = &document.simulation;
-        if simulation.analysis == Analysis::Dynamic
-            && matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
-        {
-            let message = format!("generalized_alpha does not support winches, and {} is one", winch.name);
-            self.mistake(
-                winch.place,
-                &message,
-                "a model with this winch needs another integrator",
-                "leave integrator out: the default supports winches",
-            );
-        }
+        self.refuse_generalized_alpha(winch.place, ["winch", "winches"], &winch.name);
     }
 
     /// Reports a beam that cannot be paid out.

@@ -4,7 +4,10 @@ use crate::random::Random;
 use crate::running::{run, start, try_start, value, vector};
 use crate::support::machines::built;
 use crate::support::tangent::forces_under;
+use ancf14::mechanics::beam::division::Division;
+use ancf14::mechanics::force::track::Track;
 use ancf14::mechanics::input::excitation::Excitation;
+use ancf14::mechanics::input::signal::Signal;
 use ancf14::model::document::Document;
 use ancf14::model::notes::notes;
 use ancf14::model::simulation::Simulation;
@@ -189,4 +192,12 @@ fn stations_in_meters() {
         notes("20*t")
     );
     assert!(!notes("5*t").contains("truck.station"), "{}", notes("5*t"));
+}
+
+/// A station that is no number does not take the load away without a word: the forces are no numbers then.
+#[test]
+fn station_that_is_no_number() {
+    let (station, presence) = (Signal::Constant(f64::NAN), Signal::Constant(-1.0));
+    let track = Track { first_element: 0, division: Division::Equal(2), station, presence };
+    assert!(track.at(0.0).1);
 }

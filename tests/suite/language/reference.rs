@@ -69,7 +69,7 @@ fn row(key: &Key) -> String {
 fn reference() -> String {
     let mut text = String::new();
     for (section, keys) in SECTIONS {
-        let name = if ["model", "simulation", "water"].contains(section) { "" } else { ".NAME" };
+        let name = if ["model", "seabed", "simulation", "water"].contains(section) { "" } else { ".NAME" };
         let head = "| key | value | unit | may depend on | tunable | meaning |\n|---|---|---|---|---|---|";
         writeln!(text, "\n**`[{section}{name}]`**\n\n{head}").unwrap();
         text.extend(keys.iter().map(row));

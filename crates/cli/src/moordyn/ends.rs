@@ -165,9 +165,7 @@ impl Ends {
         let end = match attachment(row, word.unwrap_or(""))? {
             Attachment::Fixed => End { at, held: Held::Ground },
             Attachment::Coupled => {
-                if self.frames.iter().all(|(name, _)| name != VESSEL) {
-                    self.frames.push((VESSEL.to_owned(), [0.0; 3]));
-                }
+                self.need_vessel();
                 End { at, held: Held::Part(VESSEL.to_owned()) }
             }
             Attachment::Body(body) => {
