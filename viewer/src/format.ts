@@ -53,8 +53,23 @@ export interface SceneInfo {
   loads: { name: string; line: boolean; arrows: [number, number] }[];
   points: string[];
   /** In their own axes, m; without where there are none. */
-  surfaces?: { name: string; corners: [number, number, number][]; faces: number[][] }[];
+  surfaces?: { name: string; corners: [number, number, number][]; faces: number[][]; bottom?: true }[];
+  /** Their points among those of the track `rope.place`; without where there are none. */
+  ropes?: { name: string; radius: number; points: [number, number] }[];
+  /** Without where the mechanism is dry. */
+  water?: WaterInfo;
   results: Result[];
+}
+
+export interface WaterInfo {
+  /** Height of still water above the origin, m. */
+  surface: number;
+  /** Time in which the waves grow, s. */
+  ramp: number;
+  /** Amplitude, angular frequency, wave number, direction x and y, phase at the global origin. */
+  waves?: [number, number, number, number, number, number][];
+  /** Its height at the origin, m, and its rise along x and y. */
+  bottom?: { height: number; slope: [number, number] };
 }
 
 export interface ModeInfo {

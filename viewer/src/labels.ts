@@ -22,6 +22,7 @@ export class Labels {
       ...scene.bodies.map(({ name }, k) => named("body", name, from("body.place", k))),
       ...scene.joints.map(({ name }, k) => named("joint", name, from("joint.place", k))),
       ...scene.frames.map((name, k) => named("frame", name, from("frame.place", k))),
+      ...(scene.ropes ?? []).map(({ name, points }) => named("rope", name, () => this.at("rope.place", (points[0] + points[1] - 1) >> 1))),
       ...scene.springs.map((name, k) => named("spring", name, () => this.at("spring.a", k).add(this.at("spring.b", k)).multiplyScalar(0.5))),
       ...scene.loads.map(({ name, arrows }) => named("load", name, from("load.place", arrows[0]))),
       ...scene.points.map((name, k) => named("point", name, from("point.place", k))),
@@ -30,7 +31,7 @@ export class Labels {
     parent.append(this.layer);
   }
 
-  private at(name: "station.place" | "body.place" | "joint.place" | "frame.place" | "spring.a" | "spring.b" | "load.place" | "point.place", number: number): THREE.Vector3 {
+  private at(name: "station.place" | "body.place" | "joint.place" | "frame.place" | "spring.a" | "spring.b" | "load.place" | "point.place" | "rope.place", number: number): THREE.Vector3 {
     return new THREE.Vector3().fromArray(this.player.moment.parts[name], 3 * number);
   }
 

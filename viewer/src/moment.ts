@@ -47,7 +47,7 @@ function normalize(turns: Float32Array): void {
 /** The names of what a moment has of the tracks. */
 const NAMES = [
   "station.place", "station.turn", "body.place", "body.turn", "frame.place", "frame.turn", "joint.place", "joint.turn",
-  "joint.a", "joint.b", "joint.force", "joint.moment", "spring.a", "spring.b", "load.place", "load.force", "load.moment", "point.place", "surface.place", "surface.turn",
+  "joint.a", "joint.b", "joint.force", "joint.moment", "spring.a", "spring.b", "load.place", "load.force", "load.moment", "point.place", "surface.place", "surface.turn", "rope.place",
 ] as const;
 
 export type MomentName = (typeof NAMES)[number];

@@ -7,10 +7,12 @@ import { QUANTITIES, range, values, type Quantity } from "./color";
 import type { Data, Track } from "./data";
 import { between, Moment, type Between } from "./moment";
 import { nearest, placeAt, under, type Spot } from "./pick";
+import { Ropes } from "./ropes";
 import { Signs } from "./signs";
 import { Stage } from "./stage";
 import { Timeline } from "./timeline";
 import { Trails } from "./trails";
+import { Water } from "./water";
 
 /** A mode swings once in so many seconds of the clock. */
 const PERIOD = 2;
@@ -19,6 +21,8 @@ export class Player {
   readonly stage: Stage;
   readonly beams: Beams;
   readonly signs: Signs;
+  readonly ropes: Ropes;
+  readonly water: Water;
   readonly trails: Trails;
   readonly comparison?: Comparison;
   readonly moment: Moment;
@@ -51,6 +55,8 @@ export class Player {
     this.stage = new Stage(data, parent);
     this.beams = new Beams(data, this.scale);
     this.signs = new Signs(data, this.stage.extent * 0.75, this.stage.up);
+    this.ropes = new Ropes(data, this.stage.extent * 0.75);
+    this.water = new Water(data.scene, this.stage.box);
     this.trails = new Trails(data);
     this.moment = new Moment(data);
     if (data.second) this.comparison = new Comparison(data, this.stage.extent * 0.75, this.stage.up, this.scale);
@@ -61,6 +67,7 @@ export class Player {
     this.marker.renderOrder = 2;
     this.marker.visible = false;
     this.stage.scene.add(this.beams.group, this.beams.ghosts, this.trails.group, this.marker);
+    this.stage.scene.add(this.ropes.group, this.water.group);
     this.stage.scene.add(this.signs.bodies, this.signs.joints, this.signs.springs, this.signs.loads, this.signs.reactions, this.signs.points);
     if (this.comparison) this.stage.scene.add(this.comparison.group);
     for (const timeline of [this.run, this.swing]) timeline.onchange(() => this.refresh());
@@ -153,6 +160,8 @@ export class Player {
     } else this.moment.set(at, this.magnification, this.live?.tracks);
     this.beams.update(this.moment.parts["station.place"], this.moment.parts["station.turn"]);
     this.signs.update(this.moment);
+    this.ropes.update(this.moment);
+    this.water.update(mode ? this.data.times[0] : this.time);
     this.compare(mode === undefined && !this.live);
     this.trails.update(mode || this.live ? -1 : at.second);
     this.paint(at, mode !== undefined);

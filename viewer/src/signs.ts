@@ -49,6 +49,8 @@ export class Signs {
     this.frames = scene.frames.map(() => new THREE.AxesHelper(0.09 * size));
     for (const frame of this.frames) this.joints.add(frame);
     this.surfaces = (scene.surfaces ?? []).map(({ corners, faces }) => surfaceSign(corners, faces));
+    // The bottom of the water is drawn as wide as the water.
+    this.surfaces.forEach((surface, k) => (surface.visible = !scene.surfaces![k].bottom));
     for (const surface of this.surfaces) this.joints.add(surface);
     const arms = new THREE.BufferGeometry();
     arms.setAttribute("position", new THREE.BufferAttribute(new Float32Array(12 * scene.joints.length), 3));

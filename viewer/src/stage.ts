@@ -41,7 +41,7 @@ export function bounds(data: Data): THREE.Box3 {
   const take = (list: ArrayLike<number>) => {
     for (let at = 0; at + 2 < list.length; at += 3) box.expandByPoint(point.set(list[at], list[at + 1], list[at + 2]));
   };
-  for (const name of ["station.place", "body.place", "joint.place", "frame.place"]) take(data.tracks.get(name)?.values ?? []);
+  for (const name of ["station.place", "body.place", "joint.place", "frame.place", "rope.place"]) take(data.tracks.get(name)?.values ?? []);
   take(data.drawn.place);
   const bodies = data.tracks.get("body.place");
   data.scene.bodies.forEach(({ solid }, body) => {

@@ -43,7 +43,8 @@ export class Page {
     const { player } = this;
     // A single instant: nothing moves.
     const still = player.run.times.length < 2 && data.modes.length === 0;
-    player.colorBy(data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? "bending_moment" : "");
+    const usual = data.scene.water ? "axial_force" : "bending_moment";
+    player.colorBy(data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? usual : "");
     // As drawn, beams bear nothing.
     if (still && player.range[0] === player.range[1]) player.colorBy("");
     this.charts = new Charts(data, player.run);
@@ -181,6 +182,8 @@ export class Page {
         data.scene.bodies.length > 0 ? tick("Bodies", true, show(signs.bodies)) : undefined,
         tick("Joints", true, show(signs.joints)),
         data.scene.springs.length > 0 ? tick("Springs", true, show(signs.springs)) : undefined,
+        data.scene.ropes ? tick("Ropes", true, show(player.ropes.group)) : undefined,
+        data.scene.water ? tick("Water", true, show(player.water.group)) : undefined,
         data.scene.loads.length > 0 ? tick("Loads", true, show(signs.loads)) : undefined,
         data.tracks.has("joint.force") ? tick("Reactions", false, show(signs.reactions)) : undefined,
         data.scene.points.length > 0 ? tick("Outputs", true, show(signs.points)) : undefined,

@@ -3,7 +3,9 @@
 use super::block::{Effort, Quantized, quantized};
 use super::charts::Charted;
 use ancf14::model::modes::Kind;
-use ancf14::model::view::{BeamLook, Profile, RESULTS, Recording, Scene, Solid, Swing, Track};
+use ancf14::model::view::{
+    BeamLook, Profile, RESULTS, Recording, RopeLook, Scene, Solid, SurfaceLook, Swing, Track, WaterLook, Wave,
+};
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -69,10 +71,37 @@ pub fn scene(scene: &Scene) -> Value {
         "results": results,
     });
     if !scene.surfaces.is_empty() {
-        let surfaces = scene.surfaces.iter();
-        let surfaces =
-            surfaces.map(|(name, mesh)| json!({ "name": name, "corners": mesh.corners, "faces": mesh.faces }));
-        all["surfaces"] = surfaces.collect();
+        all["surfaces"] = scene.surfaces.iter().map(surface).collect();
+    }
+    if !scene.ropes.is_empty() {
+        let rope = |own: &RopeLook| json!({ "name": own.name, "radius": own.radius, "points": [own.points.start, own.points.end] });
+        all["ropes"] = scene.ropes.iter().map(rope).collect();
+    }
+    if let Some(water) = &scene.water {
+        all["water"] = sea(water);
+    }
+    all
+}
+
+fn surface(surface: &SurfaceLook) -> Value {
+    let mut all = json!({ "name": surface.name, "corners": surface.mesh.corners, "faces": surface.mesh.faces });
+    if surface.is_bottom {
+        all["bottom"] = json!(true);
+    }
+    all
+}
+
+fn sea(water: &WaterLook) -> Value {
+    let wave = |own: &Wave| {
+        let [x, y] = own.direction;
+        [own.amplitude, own.frequency, own.number, x, y, own.phase]
+    };
+    let mut all = json!({ "surface": water.surface, "ramp": water.ramp });
+    if !water.waves.is_empty() {
+        all["waves"] = json!(water.waves.iter().map(wave).collect::<Vec<_>>());
+    }
+    if let Some(bottom) = &water.bottom {
+        all["bottom"] = json!({ "height": bottom.height, "slope": bottom.slope });
     }
     all
 }

@@ -15,13 +15,14 @@ type Kind = (&'static str, fn(&Scene) -> bool, fn(Instant<'_>) -> PolyData);
 type Shape = (Vec<[f64; 3]>, Vec<Vec<usize>>);
 
 /// All kinds.
-pub const KINDS: [Kind; 9] = [
+pub const KINDS: [Kind; 10] = [
     ("beams", |scene| !scene.beams.is_empty(), beams),
     ("bodies", |scene| !scene.bodies.is_empty(), bodies),
     ("joints", |scene| !scene.joints.is_empty(), joints),
     ("loads", |scene| scene.loads.iter().any(|load| !load.is_line), loads),
     ("line_loads", |scene| scene.loads.iter().any(|load| load.is_line), line_loads),
     ("springs", |scene| !scene.springs.is_empty(), springs),
+    ("ropes", |scene| !scene.ropes.is_empty(), ropes),
     ("frames", |scene| !scene.frames.is_empty(), frames),
     ("outputs", |scene| !scene.points.is_empty(), outputs),
     ("surfaces", |scene| !scene.surfaces.is_empty(), surfaces),
@@ -157,8 +158,8 @@ fn bodies(at: Instant<'_>) -> PolyData {
 /// Surfaces as their polygons.
 fn surfaces(at: Instant<'_>) -> PolyData {
     let all = &at.scene().surfaces;
-    let shapes = all.iter().map(|(_, mesh)| (mesh.corners.clone(), mesh.faces.clone())).collect();
-    polygons(at, "surface", shapes, all.iter().map(|(name, _)| name).collect()).0
+    let shapes = all.iter().map(|own| (own.mesh.corners.clone(), own.mesh.faces.clone())).collect();
+    polygons(at, "surface", shapes, all.iter().map(|own| &own.name).collect()).0
 }
 
 /// The corners and the faces of shapes where the tracks of `word` have them, and which shape each face is of.
@@ -229,6 +230,19 @@ fn springs(at: Instant<'_>) -> PolyData {
     let lines = (0..count).map(|number| vec![number, count + number]).collect();
     let names = Array::names(at.scene().springs.clone());
     PolyData { points: ends.concat(), cells: Cells::Lines(lines), on_points: Vec::new(), on_cells: vec![names] }
+}
+
+/// Ropes as lines over their sheaves.
+fn ropes(at: Instant<'_>) -> PolyData {
+    let ropes = &at.scene().ropes;
+    let lines = ropes.iter().map(|rope| rope.points.clone().collect()).collect();
+    let names = Array::names(ropes.iter().map(|rope| rope.name.clone()).collect());
+    PolyData {
+        points: at.places("rope.place"),
+        cells: Cells::Lines(lines),
+        on_points: Vec::new(),
+        on_cells: vec![names],
+    }
 }
 
 /// Moving frames as points with their axes.

@@ -13,8 +13,9 @@ mod scene;
 mod shapes;
 mod stations;
 
+pub use crate::mechanics::water::waves::Component as Wave;
 pub use profile::{Profile, Solid};
 pub use recorder::{Recording, Track};
-pub use scene::{BeamLook, BodyLook, JointLook, LoadLook, Scene};
+pub use scene::{BeamLook, BodyLook, BottomLook, JointLook, LoadLook, RopeLook, Scene, SurfaceLook, WaterLook};
 pub use shapes::Swing;
 pub use stations::{RESULTS, StationResult};

@@ -1,5 +1,6 @@
 //! Numbers of a simulation at instants: where everything is, what sections bear, what acts.
 
+use super::rope_line;
 use super::scene::{Scene, Watched};
 use super::stations::{RESULTS, Stations, quaternion, steps};
 use crate::math::Vec3;
@@ -43,7 +44,7 @@ pub struct Recording {
 }
 
 /// Kinds of numbers that every recording has, with their components, before those of [`RESULTS`].
-const KINDS: [(&str, usize); 18] = [
+const KINDS: [(&str, usize); 19] = [
     ("station.place", 3),
     ("station.turn", 4),
     ("body.place", 3),
@@ -62,6 +63,7 @@ const KINDS: [(&str, usize); 18] = [
     ("point.place", 3),
     ("surface.place", 3),
     ("surface.turn", 4),
+    ("rope.place", 3),
 ];
 /// What joints transmit; only where the simulation computes it.
 const REACTIONS: [(&str, usize); 2] = [("joint.force", 3), ("joint.moment", 3)];
@@ -88,6 +90,7 @@ impl Recording {
                 Some(("load", _)) => watched.arrows.len(),
                 Some(("point", _)) => scene.points.len(),
                 Some(("surface", _)) => scene.surfaces.len(),
+                Some(("rope", _)) => scene.ropes.last().map_or(0, |rope| rope.points.end),
                 _ => scene.beams.last().map_or(0, |beam| beam.stations.end),
             };
             Track { name, components, things, values: Vec::new() }
@@ -184,7 +187,8 @@ fn look(watched: &Watched, system: &System, state: &State, c: &Configuration, se
             places.extend(place(&tied(side)).iter());
         }
     }
-    let [spring_a, spring_b, arrow_places, forces, moments, points, surface_places, surface_turns, ..] = rest else {
+    let [spring_a, spring_b, arrow_places, forces, moments, points, surface_places, surface_turns, ropes, ..] = rest
+    else {
         return;
     };
     for [a, b] in &watched.springs {
@@ -208,6 +212,9 @@ fn look(watched: &Watched, system: &System, state: &State, c: &Configuration, se
         let pose = marker.pose(c);
         surface_places.extend(pose.place.iter());
         surface_turns.extend(quaternion(&pose.axes));
+    }
+    for rope in &system.ropes {
+        ropes.extend(rope_line::moving(rope, c).iter().flatten());
     }
 }
 

@@ -1,6 +1,7 @@
 //! What never changes of a picture: names, sections, solids, which sign stands for what.
 
 use super::profile::{Profile, Solid};
+use super::rope_line;
 use super::stations::{Stations, ranges};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::Beam;
@@ -9,12 +10,14 @@ use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
+use crate::mechanics::water::medium::Medium;
+use crate::mechanics::water::waves::Component;
 use crate::model::file::document::Document;
 use crate::model::file::entries::joint::JointKind;
 use crate::model::file::entries::load;
 use crate::model::file::entries::output::Target;
 use crate::model::file::entries::simulation::Analysis;
-use crate::model::file::entries::surface::{Mesh, SurfaceSpec};
+use crate::model::file::entries::surface::{Mesh, Shape, SurfaceSpec};
 use crate::model::file::reader::anchor::Spot;
 use std::ops::Range;
 
@@ -48,8 +51,69 @@ pub struct Scene {
     pub loads: Vec<LoadLook>,
     /// Names of the outputs that look at a point.
     pub points: Vec<String>,
-    /// Surfaces in file order, with their names.
-    pub surfaces: Vec<(String, Mesh)>,
+    /// Surfaces in file order.
+    pub surfaces: Vec<SurfaceLook>,
+    /// Ropes in file order.
+    pub ropes: Vec<RopeLook>,
+    /// The water; none: the mechanism is dry.
+    pub water: Option<WaterLook>,
+}
+
+/// A surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceLook {
+    /// Its name.
+    pub name: String,
+    /// Its polygons.
+    pub mesh: Mesh,
+    /// Whether it is the bottom of the water.
+    pub is_bottom: bool,
+}
+
+/// A rope.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RopeLook {
+    /// Its name.
+    pub name: String,
+    /// Its radius, m.
+    pub radius: f64,
+    /// Its points among those of all ropes.
+    pub points: Range<usize>,
+}
+
+/// The water: whoever draws it computes its surface at any time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WaterLook {
+    /// Height of still water above the scene's origin, m.
+    pub surface: f64,
+    /// The bottom; none: the water is without end.
+    pub bottom: Option<BottomLook>,
+    /// Time in which the waves grow, s.
+    pub ramp: f64,
+    /// Its waves, which travel as at the global origin.
+    pub waves: Vec<Component>,
+}
+
+/// The bottom of the water.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BottomLook {
+    /// Its height at the scene's origin, m.
+    pub height: f64,
+    /// Its rise per length along x and along y.
+    pub slope: [f64; 2],
+}
+
+impl WaterLook {
+    fn new(medium: &Medium) -> Self {
+        let origin = Vec3::zeros();
+        let bottom = medium.bottom(&origin).map(|height| BottomLook { height, slope: medium.slope });
+        Self {
+            surface: medium.surface - medium.origin.z,
+            bottom,
+            ramp: medium.ramp,
+            waves: medium.waves.components.clone(),
+        }
+    }
 }
 
 /// A beam.
@@ -233,8 +297,17 @@ impl Scene {
         });
         let points = document.outputs.iter().filter(|output| matches!(output.target, Target::At(_)));
         let springs = document.springs.iter().filter(|spring| spring.ends().is_some());
-        let mesh = |surface: &SurfaceSpec| (surface.name.clone(), surface.mesh(&document.numbers, system.size));
-        let surfaces = document.surfaces.iter().map(mesh);
+        let surfaces = document.surfaces.iter().map(|surface| SurfaceLook {
+            name: surface.name.clone(),
+            mesh: surface.mesh(&document.numbers, system.size),
+            is_bottom: matches!(surface.shape, Shape::Bottom { .. }),
+        });
+        let mut first = 0;
+        let ropes = system.ropes.iter().zip(&document.ropes).map(|(rope, written)| {
+            let points = first..first + rope_line::moving_points(rope);
+            first = points.end;
+            RopeLook { name: rope.name.clone(), radius: document.value(written.radius), points }
+        });
         Self {
             name: document.model.name.clone(),
             description: document.model.description.clone(),
@@ -250,6 +323,8 @@ impl Scene {
             loads: loads.collect(),
             points: points.map(|output| output.name.clone()).collect(),
             surfaces: surfaces.collect(),
+            ropes: ropes.collect(),
+            water: system.water.as_deref().map(|water| WaterLook::new(&water.medium)),
         }
     }
 }

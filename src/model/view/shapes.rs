@@ -2,6 +2,7 @@
 
 use super::modes::{Kind, Mode, Modes};
 use super::recorder::{Recording, tied};
+use super::rope_line;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::system::frame_cache::FrameCache;
@@ -41,7 +42,7 @@ impl Recording {
         let watched = &self.watched;
         let joints = |side: usize| watched.joints.iter().map(move |(_, sides)| sides[side]);
         let springs = |side: usize| watched.springs.iter().map(move |sides| sides[side]);
-        let kinds: [(&str, Vec<Marker>); 7] = [
+        let kinds: [(&str, Vec<Marker>); 8] = [
             ("joint.place", joints(1).collect()),
             ("joint.a", joints(0).map(|side| tied(&side)).collect()),
             ("joint.b", joints(1).map(|side| tied(&side)).collect()),
@@ -49,6 +50,8 @@ impl Recording {
             ("spring.b", springs(1).collect()),
             ("load.place", watched.arrows.iter().map(|(_, marker)| *marker).collect()),
             ("point.place", watched.points.iter().map(|sensor| system.sensors[*sensor].marker).collect()),
+            // A rope follows the centers of its wheels.
+            ("rope.place", system.ropes.iter().flat_map(rope_line::seats).copied().collect()),
         ];
         let swing = |mode: &Mode| Swing {
             kind: mode.kind,

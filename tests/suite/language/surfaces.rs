@@ -115,7 +115,7 @@ fn meshes_enclose_their_volume() {
     let document = Document::parse("surfaces.toml", &with_surfaces(), &[]).unwrap();
     let scene = Recording::new(&loaded(&with_surfaces())).scene;
     let volume = |number: usize| -> f64 {
-        let mesh = &scene.surfaces[number].1;
+        let mesh = &scene.surfaces[number].mesh;
         let corner = |corner: usize| Vec3::from(mesh.corners[corner]);
         let triangles = mesh.faces.iter().flat_map(|face| face[1..].windows(2).map(|pair| [face[0], pair[0], pair[1]]));
         triangles.map(|all| all.map(corner)).map(|[a, b, c]| a.dot(&b.cross(&c)) / 6.0).sum()

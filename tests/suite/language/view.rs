@@ -266,3 +266,111 @@ fn machines_far_away_are_told_from_their_middle() {
     assert!((recording.scene.origin[0] - 1e7).abs() < 10.0, "{:?}", recording.scene.origin);
     assert!(recording.scene.beams[0].places.iter().flatten().all(|part| part.abs() < 10.0));
 }
+
+/// A block of two falls, and a line of chain from the surface of the water to a bottom that rises.
+const REEVED: &str = r#"format = 1
+[model]
+name = "Reeved"
+gravity = [0, 0, -9.81]
+[water]
+density = 1025
+surface = 1
+depth = 5
+ramp = 2
+[wave.swell]
+type = "airy"
+height = 0.5
+period = 4
+[seabed]
+stiffness = 1e5
+slope = [0.1, 0]
+[section.chain]
+shape = "rigidities"
+EA = 1e6
+EI_y = 0
+EI_z = 0
+GJ = 0
+line_density = 5
+outer_diameter = 0.05
+[beam.line]
+section = "chain"
+from = [-3, 0, 1]
+to = [-2.5, 0, -2]
+elements = 2
+[joint.fairlead]
+type = "spherical"
+a = "ground"
+b = "line.start"
+[body.block]
+mass = 50
+position = [0, 0, 2]
+inertia = [1, 1, 1]
+[body.weight]
+mass = 20
+position = [1, 0, 2]
+inertia = [1, 1, 1]
+[surface.wheel]
+shape = "cylinder"
+on = "block"
+axis = [0, 1, 0]
+radius = 0.2
+[surface.head]
+shape = "cylinder"
+axis = [0, 1, 0]
+offset = [0.6, 0, 4]
+radius = 0.3
+[point.dead_end]
+on = "ground"
+offset = [-0.2, 0, 4]
+[rope.fall]
+from = "dead_end"
+over = ["wheel", "head"]
+turns = [-1, 1]
+to = "weight"
+radius = 0.01
+stiffness = 1e5
+[output.rope]
+at = "fall"
+quantities = ["length"]
+[simulation]
+stop = 0.2
+step = 1e-3
+output_step = 0.05
+"#;
+
+/// A rope runs from its first end over its sheaves to its last one: on the rims, with the length that its output tells.
+/// The water is where the file has it.
+#[test]
+fn ropes_and_water_are_shown() {
+    let mut simulation = Simulation::load("reeved.toml", REEVED, &[]).unwrap();
+    let mut recording = Recording::new(&simulation);
+    simulation.initialize(0.0).unwrap();
+    simulation.advance(0.2).unwrap();
+    recording.record(&simulation);
+    let [rope] = &recording.scene.ropes[..] else { panic!("{:?}", recording.scene.ropes) };
+    assert_eq!((rope.name.as_str(), rope.radius), ("fall", 0.01));
+    let origin = recording.scene.origin;
+    let points: Vec<[f64; 3]> =
+        rope.points.clone().map(|point| last(&recording, "rope.place", point).try_into().unwrap()).collect();
+    let apart = |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum::<f64>().sqrt();
+    let length: f64 = points.windows(2).map(|pair| apart(&pair[0], &pair[1])).sum();
+    // A chord of a sixteenth of 3.5 rad is shorter than its arc by (3.5/16)²/24 = 0.2 %.
+    let told = output(&simulation, "rope.length");
+    assert!(told > length && told - length < 0.002 * told, "{told} {length}");
+    let [first, .., end] = &points[..] else { panic!("no points") };
+    let place = |own: [f64; 3]| [0, 1, 2].map(|axis| own[axis] - origin[axis]);
+    assert!(apart(first, &place([-0.2, 0.0, 4.0])) < 1e-12);
+    assert!(apart(end, &last(&recording, "body.place", 1).try_into().unwrap()) < 1e-12);
+    let center: [f64; 3] = last(&recording, "body.place", 0).try_into().unwrap();
+    let on_rim = |center: &[f64; 3], radius: f64| {
+        points.iter().filter(|point| (apart(point, center) - radius).abs() < 1e-12).count()
+    };
+    assert_eq!([on_rim(&center, 0.21), on_rim(&place([0.6, 0.0, 4.0]), 0.31)], [17, 17]);
+
+    let water = recording.scene.water.as_ref().unwrap();
+    assert!((water.surface + origin[2] - 1.0).abs() < 1e-12 && water.ramp == 2.0);
+    let bottom = water.bottom.unwrap();
+    let height = bottom.height + origin[2] - 0.1 * origin[0];
+    assert!((height + 4.0).abs() < 1e-12 && bottom.slope == [0.1, 0.0]);
+    assert_eq!(water.waves[0].amplitude, 0.25);
+}
