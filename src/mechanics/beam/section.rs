@@ -156,6 +156,8 @@ pub struct Section {
     pub contents: f64,
     /// Its outline; the integrals may be given differently.
     pub outline: Outline,
+    /// Whether it has a least rigidity in place of one of its own: the spin of a chain means nothing.
+    pub is_limp: bool,
 }
 
 impl Section {
@@ -173,6 +175,7 @@ impl Section {
         inertia: None,
         contents: 0.0,
         outline: Outline::General,
+        is_limp: false,
     };
 
     /// Mass per length, kg/m, and its polar moment, kg m, of a section of `material`.
@@ -217,6 +220,7 @@ impl Section {
             polar_moment,
             fourth_moments: Self::rectangular_fourth_moments(self.area, second_moment_y, second_moment_z),
             inertia,
+            is_limp: true,
             ..self
         }
     }

@@ -34,6 +34,16 @@ impl System {
         found.map_or_else(|| String::from("an unknown"), |(joint, _)| self.describe_joint(joint))
     }
 
+    /// Whether unknown `index` is the spin of a chain, which has no stiffness against torsion.
+    pub fn is_spin_of_chain(&self, index: usize) -> bool {
+        if index >= self.mesh.coordinates() {
+            return false;
+        }
+        let number = self.mesh.node_of(index);
+        let owner = self.beams.iter().find(|beam| beam.node_range().contains(&number));
+        !self.is_place(index) && owner.is_some_and(|beam| beam.section.is_limp)
+    }
+
     /// A joint's name. The rigidity of a body is nobody's choice: in its stead stand the joints of the body.
     fn describe_joint(&self, joint: &Joint) -> String {
         let is_rigidity = |joint: &Joint| joint.primitives.iter().all(|part| matches!(part, Primitive::Rigid(..)));

@@ -18,6 +18,7 @@ mod labels;
 mod limits;
 pub mod mass;
 pub mod middle_forces;
+mod reach;
 mod ropes;
 pub mod rotation;
 mod slides;
@@ -121,9 +122,8 @@ pub struct System {
     /// Length of a straight line that is as far from its middle, in the mean square, as nodes and bodies are from
     /// theirs as drawn, m: unlike `size` the same in all directions.
     pub spread: f64,
-    /// Where the origin of all positions in the state is, global, m: 0, or in the middle of a mechanism that is drawn
-    /// far from the global origin. Doubles keep positions to 1e-16 of their size; times the axial stiffness, that is a
-    /// force.
+    /// Where the origin of all positions in the state is, global, m: 0, or in the middle of a mechanism far from there.
+    /// Doubles keep positions to 1e-16 of their size; times the axial stiffness, that is a force.
     pub origin: Vec3,
     /// Mass of everything, kg.
     pub mass: f64,

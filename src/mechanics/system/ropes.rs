@@ -45,7 +45,7 @@ impl System {
         self.ropes.iter().map(|rope| rope.parts.len() * rope.parts.len()).sum()
     }
 
-    // What is done with a rope stands in functions of their own: their arrays are on the stack where there is a rope.
+    // Functions of their own handle a rope: machines without ropes have no arrays of ropes on the stack.
 
     /// Adds `factor` times the forces of ropes, internal minus external, at `c` as `passage` says.
     pub(super) fn add_rope_forces(&self, c: &Configuration, passage: &Passage, factor: f64, forces: &mut [f64]) {

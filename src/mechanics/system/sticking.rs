@@ -1,4 +1,4 @@
-//! Dry friction in a system: what it remembers, and how far it gives before it slides.
+//! Dry friction in a system: what it remembers.
 
 use super::System;
 use super::frame_cache::FrameCache;
@@ -8,13 +8,7 @@ use crate::mechanics::force::law::Law;
 use crate::mechanics::force::rope::tensions::Hold;
 use crate::mechanics::input::prescribed::Prescribed;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
-use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::State;
-
-/// Share of the elastic way of dry friction within which its force is taken for linear.
-const SMOOTH_SHARE: f64 = 1e-3;
-/// Penetration of a contact over the radius of its surface, or over the size of the system.
-const PRESSED: f64 = 1e-4;
 
 impl System {
     /// Ends a step or an increment from `state` at the coordinates `q`, whose frames are `frames`, with what is
@@ -84,24 +78,6 @@ impl System {
         self.contacts.iter().any(|contact| contact.friction.is_some_and(|own| own.coefficient != 0.0))
             || self.ropes.iter().any(|rope| matches!(rope.hold, Some(Hold::Friction(own)) if own != 0.0))
             || self.springs.iter().filter_map(|spring| spring.law.as_ref()).any(|law| law.coulomb() != 0.0)
-    }
-
-    /// Changes of coordinates up to `largest`, over the system's size or rad, of which forces are smooth functions: dry
-    /// friction turns from sticking to sliding within its elastic way.
-    pub fn smooth_reach(&self, largest: f64) -> f64 {
-        let ways = self.springs.iter().filter_map(|spring| {
-            let dry = spring.law.as_ref()?.dry().filter(|dry| dry.limit > 0.0)?;
-            let measure = self.relative_coordinates[spring.coordinate].measure;
-            let is_angle = matches!(measure, Measure::Angle(_) | Measure::Rotation(_));
-            Some(if is_angle { dry.largest } else { dry.largest / self.size })
-        });
-        let contacts = self.contacts.iter().filter_map(|contact| {
-            let friction = contact.friction.filter(|own| own.coefficient > 0.0)?;
-            // Nobody knows yet how far it will be pressed in.
-            let pressed = PRESSED * contact.surface.shape.radius().min(self.size);
-            Some(friction.coefficient * contact.law.stiffness / friction.stiffness * pressed / self.size)
-        });
-        ways.chain(contacts).fold(largest, |reach, way| reach.min(SMOOTH_SHARE * way))
     }
 
     /// The system without the friction of seabeds that begins behind the first equilibrium; none: it has no such

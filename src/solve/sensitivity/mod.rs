@@ -11,8 +11,9 @@
 //! with the factorized tangent for `R_z`: one factorization an internal step serves all inputs. Derivatives of `R` and
 //! `F` along a direction are central differences of fourth order of these explicit functions, without any iteration:
 //! with steps of `REACH` of the system's size and of a radian what they leave out is about 1e-12 of the derivative,
-//! what rounding adds a little more. A second solve takes out what the tangent leaves out. Velocities that follow by
-//! projection, and the response of the end, are solved for alike.
+//! what rounding adds a little more; slender beams take smaller steps ([`System::straight_reach`]). A second solve
+//! takes out what the tangent leaves out. Velocities that follow by projection, and the response of the end, are solved
+//! for alike.
 
 pub mod mover;
 mod pass;

@@ -49,8 +49,11 @@ impl<N: Inputs> Step<'_, N> {
         ];
         let motion = motion.into_iter().fold(0.0, f64::max);
         // Compilers divide first and choose afterwards: not by 0, which hosts may trap.
-        let by_motion =
-            if motion > 0.0 { system.smooth_reach(REACH) / motion.max(f64::MIN_POSITIVE) } else { f64::INFINITY };
+        let by_motion = if motion > 0.0 {
+            system.smooth_reach(system.straight_reach(REACH)) / motion.max(f64::MIN_POSITIVE)
+        } else {
+            f64::INFINITY
+        };
         let reach = f64::min(REACH * self.inputs.unit(number), by_motion);
         // What does not move at all, or not yet, may change by anything.
         if reach.is_finite() { reach } else { 1.0 }

@@ -184,7 +184,8 @@ impl Statics {
     /// Remarks which free motions are held at `state` that were not at `before`.
     pub(super) fn remark_held(&mut self, system: &System, before: &State, state: &State) {
         let is_new = |held: &&HeldCoordinate| before.held.iter().all(|other| other.index != held.index);
-        let new: Vec<usize> = state.held.iter().filter(is_new).map(|held| held.index).collect();
+        let new = state.held.iter().filter(is_new).map(|held| held.index);
+        let new: Vec<usize> = new.filter(|index| !system.is_spin_of_chain(*index)).collect();
         let mut names: Vec<String> = new.iter().take(NAMED).map(|index| system.describe_unknown(*index)).collect();
         let others = new.len() - names.len();
         if others > 0 {

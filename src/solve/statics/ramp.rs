@@ -72,7 +72,7 @@ impl Statics {
                             if matches!(reason, Error::Singular { .. }) {
                                 return Err(reason);
                             }
-                            self.examine(system, state, time)?;
+                            self.examine(system, state, time).inspect_err(|_| self.holding.has_met_free = true)?;
                         }
                         // The equilibrium that the ramp began with: the state is the iterate that led nowhere.
                         let doubt = system.doubt_of_strain(&self.scratch.frames.of(system, &self.begin));

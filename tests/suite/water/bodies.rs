@@ -100,3 +100,42 @@ fn a_buoy_pulls_at_its_line() {
     let expected = (0.5 * DENSITY - 200.0 - 10.0) * GRAVITY;
     assert!((force.z + expected).abs() < 1e-6 * expected, "{force} {expected}");
 }
+
+/// A buoy on three chains without torsion stiffness, each between two ball joints: their equilibrium is found, and
+/// nothing is said of their spin. The chains pull alike, and with the weight they hold the buoyancy of the wet part of
+/// a ball.
+#[test]
+fn a_buoy_on_three_chains() {
+    let (mass, volume, length) = (8000.0, 20.0, 138.0);
+    let mut rest = format!(
+        "[seabed]\nstiffness = 3e5\n[section.chain]\nshape = \"rigidities\"\nEA = 1e8\nEI_y = 0\nEI_z = 0\nGJ = 0\n\
+         line_density = 50\nouter_diameter = 0.08\n\
+         [body.buoy]\nmass = {mass}\nposition = [0, 0, 0]\ninertia = [8e3, 8e3, 8e3]\nvolume = {volume}\n\
+         [output.float]\nat = \"buoy\"\nquantities = [\"position\"]\n\
+         [simulation]\nanalysis = \"static\"\nstop = 1\nstep = 1\n"
+    );
+    for line in 0..3 {
+        let (y, x) = (2.0 * PI / 3.0 * f64::from(line)).sin_cos();
+        rest += &format!(
+            "[beam.line_{line}]\nsection = \"chain\"\nfrom = [{}, {}, -50]\nto = [{x}, {y}, -1]\n\
+             lay = {{ length = {length} }}\nelements = 12\n\
+             [joint.anchor_{line}]\ntype = \"spherical\"\na = \"ground\"\nb = \"line_{line}.start\"\n\
+             [joint.fairlead_{line}]\ntype = \"spherical\"\na = \"buoy\"\nb = \"line_{line}.end\"\n\
+             [output.pull_{line}]\nat = \"fairlead_{line}\"\nquantities = [\"reaction_force\"]\n",
+            120.0 * x,
+            120.0 * y
+        );
+    }
+    let mut simulation = start(&(water(GRAVITY, DENSITY, 0.0, "depth = 50") + &rest));
+    assert_eq!(simulation.take_warnings(), Vec::<String>::new());
+    let pulls = [0, 1, 2].map(|line| vector(&simulation, &format!("pull_{line}.reaction_force")));
+    let radius = (0.75 * volume / PI).cbrt();
+    let wet = radius - value(&simulation, "float.position[3]");
+    let share = wet * wet * (3.0 * radius - wet) / (4.0 * radius.powi(3));
+    let expected = (share * DENSITY * volume - mass) * GRAVITY;
+    let sum: f64 = pulls.iter().map(|pull| pull.z).sum();
+    assert!((sum - expected).abs() < 1e-6 * expected, "{sum} {expected}");
+    for pull in pulls {
+        assert!((pull.norm() - pulls[0].norm()).abs() < 1e-6 * pull.norm(), "{pulls:?}");
+    }
+}
