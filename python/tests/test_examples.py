@@ -56,3 +56,18 @@ def test_the_filter_finds_the_force() -> None:
 def test_the_spring_meets_its_limits() -> None:
     wire, _, stiffness, stress, _ = numbers("spring_design")
     assert stiffness == pytest.approx(400, abs=1) and stress <= 600 and 0.5 <= wire <= 2
+
+
+def test_the_whirl_begins_where_damping_ratios_say() -> None:
+    critical, without, begins, expected = numbers("whirl")
+    # Damping of the material drives the whirl as soon as the rotation is faster than the vibration.
+    assert without == pytest.approx(critical, abs=2e-3)
+    # The ratios are those at rest: gyroscopic moments change them by the share of the frequency, 2e-4.
+    assert begins == pytest.approx(expected, rel=1e-3)
+
+
+def test_the_arm_stops_without_a_swing() -> None:
+    states, kept, bound, _, damped, _, controlled = numbers("flexible_arm")
+    assert kept < states / 10 and bound < 2
+    # The tip is a meter from the shoulder: the linear controller leaves less than 5 mm of 60 degrees.
+    assert controlled < 5 and controlled < 0.1 * damped
