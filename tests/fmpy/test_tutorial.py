@@ -1,4 +1,4 @@
-"""Do README.md and docs/tutorial.md work as they are printed? Each page is followed from an empty folder: its files are saved, its commands are run
+"""Do README.md, docs/first-steps.md and docs/tutorial.md work as they are printed? Each page is followed from an empty folder: its files are saved, its commands are run
 in order, and what they print must be the listing on the page. A renamed key, another message or another number would fail here.
 
 A toml, python or sh listing belongs to the page as follows:
@@ -21,7 +21,7 @@ import pytest
 
 from conftest import ROOT, executable
 
-PAGES = ["README.md", "docs/tutorial.md"]
+PAGES = ["README.md", "docs/first-steps.md", "docs/tutorial.md"]
 # Commands whose work the fixture, the Rust tests of the front door, or the tests of the release do.
 DONE_ELSEWHERE = [
     "sh scripts/build.sh --quick",
@@ -94,7 +94,12 @@ def follow(page, text, folder, home) -> tuple[int, list[tuple[str, slice, str]]]
 def test_page_works_as_printed(page, home, tmp_path):
     text = (ROOT / page).read_text()
     ran, compared = follow(page, text, tmp_path, home)
-    assert ran >= 3 and len(compared) >= 2
+    assert ran >= 3
+    if page == "README.md":
+        for file in ["rotor.html", "cantilever-results/results.csv", "cantilever.fmu"]:
+            assert (tmp_path / file).stat().st_size > 0, file
+    else:
+        assert len(compared) >= 2
     for command, place, now in reversed(compared):
         same = WALL_TIME.sub("...", now) == WALL_TIME.sub("...", text[place])
         assert same or BLESS, f"{page}: {command} prints\n{now}"
@@ -111,7 +116,7 @@ def test_page_works_as_printed(page, home, tmp_path):
 
 
 def test_commands_of_the_table_run(home, tmp_path):
-    text = (ROOT / "README.md").read_text()
+    text = (ROOT / "docs/first-steps.md").read_text()
     (model,) = [body for kind, body in LISTING.findall(text) if kind == "toml"]
     (tmp_path / "m.toml").write_text(model)
     commands = re.findall(r"^\| `(ancf14 .*?)` \|", text, re.MULTILINE)
@@ -122,8 +127,8 @@ def test_commands_of_the_table_run(home, tmp_path):
 
 
 def test_key_numbers_are_those_of_the_tables():
-    readme = (ROOT / "README.md").read_text()
-    chapter = readme.split("## How accurate, how fast")[1].split("\n## ")[0].replace("\n", " ")
+    accuracy = (ROOT / "docs/accuracy.md").read_text()
+    chapter = accuracy.split("## How accurate, how fast")[1].split("\n## ")[0].replace("\n", " ")
     table, text = chapter.split("On one thread")
     summary = (ROOT / "docs/validation.md").read_text().split("## Summary")[1].split("\n## ")[0]
     errors = re.findall(r"\d\.\d+(?: %|e-\d+)|\de-\d+", table)
@@ -131,12 +136,15 @@ def test_key_numbers_are_those_of_the_tables():
     for error in errors:
         assert error.removesuffix(" %") in summary, f"{error} is not in docs/validation.md"
     rows = [line.split(" | ") for line in (ROOT / "docs/performance.md").read_text().splitlines() if line.startswith("| ")]
+    all_ratios = []
     for case, words in [("rotating shaft, 2.5 s", "rotating shaft"), ("lateral buckling", "lateral buckling"), ("Princeton beam", "Princeton beam")]:
         ratios = [float(row[3]) for row in rows if row[0].startswith(f"| {case}")]
         assert f"{min(ratios):.0f} to {max(ratios):.0f} times less " in text.split(words)[0][-40:], f"{case}: {ratios}"
+        all_ratios += ratios
+    assert f"{min(all_ratios):.0f} to {max(all_ratios):.0f} times less " in (ROOT / "README.md").read_text()
 
 
-@pytest.mark.parametrize("page", sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/*.md")]), ids=lambda page: page.name)
+@pytest.mark.parametrize("page", sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]), ids=lambda page: str(page.relative_to(ROOT)))
 def test_links_lead_somewhere(page):
     text = re.sub(r"^```.*?^```$", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
     for link in re.findall(r"\]\(([^)\s]+)\)", text):

@@ -5,7 +5,7 @@ use std::fs;
 
 /// The page on programs, with its listings.
 pub const PROGRAMMING: &str = "docs/programming.md";
-pub const README: &str = "README.md";
+pub const FIRST_STEPS: &str = "docs/first-steps.md";
 
 /// The commands of the shell listings of `page`, in order.
 pub fn commands(page: &str) -> Vec<String> {

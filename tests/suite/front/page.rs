@@ -1,4 +1,4 @@
-//! Is every program of docs/programming.md and README.md the file that the tests run? A program that was only printed
+//! Is every program of docs/programming.md and docs/first-steps.md the file that the tests run? A program that was only printed
 //! would rot.
 //!
 //! The line before each listing names its file: `ANCF14_BLESS=1 cargo test front::page` writes the listings from the
@@ -6,7 +6,7 @@
 
 use std::fs;
 
-use ancf14_testing::pages::{PROGRAMMING, README};
+use ancf14_testing::pages::{FIRST_STEPS, PROGRAMMING};
 use ancf14_testing::root;
 
 use crate::golden;
@@ -26,8 +26,8 @@ fn the_page_on_programming_has_the_files() {
 }
 
 #[test]
-fn the_readme_has_its_program() {
-    assert_has_files(README, "", &["examples/first.rs"]);
+fn the_first_steps_have_their_program() {
+    assert_has_files(FIRST_STEPS, "../", &["examples/first.rs"]);
 }
 
 /// The listings of `page`, which names files by links that begin with `up`, are the files.

@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
-use ancf14_testing::pages::{PROGRAMMING, README, commands, printed_by};
+use ancf14_testing::pages::{FIRST_STEPS, PROGRAMMING, commands, printed_by};
 use ancf14_testing::{library_path, root};
 
 use super::printed;
@@ -143,7 +143,7 @@ fn the_installation_is_whole() {
 fn programs_in_rust_run() {
     let is_release = std::env::current_exe().unwrap().components().any(|part| part.as_os_str() == "release");
     let mut ran = 0;
-    for page in [PROGRAMMING, README] {
+    for page in [PROGRAMMING, FIRST_STEPS] {
         for line in commands(page).iter().filter(|line| line.starts_with("cargo run")) {
             let (_, name) = line.split_once("--release --example ").unwrap();
             let mut cargo = Command::new(env!("CARGO"));

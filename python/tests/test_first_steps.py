@@ -1,4 +1,4 @@
-"""Does the first example of README.md work as it is printed? The file is saved and run, and its output is the listing on the page."""
+"""Does the first example of docs/first-steps.md work as it is printed? The file is saved and run, and its output is the listing on the page."""
 
 import re
 import subprocess
@@ -7,12 +7,12 @@ from pathlib import Path
 
 from conftest import ROOT
 
-README = (ROOT / "README.md").read_text()
+PAGE = (ROOT / "docs/first-steps.md").read_text()
 
 
 def test_the_first_example_prints_what_the_page_says() -> None:
-    (section,) = re.findall(r"^## Python$(.*?)^## ", README, re.MULTILINE | re.DOTALL)
-    (model,) = re.findall(r"`cantilever\.toml`:\n\n```toml\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
+    (section,) = re.findall(r"^## Python$(.*?)^## ", PAGE, re.MULTILINE | re.DOTALL)
+    (model,) = re.findall(r"`cantilever\.toml`:\n\n```toml\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
     (program,) = re.findall(r"`heights\.py`:\n\n```python\n(.*?)^```$", section, re.MULTILINE | re.DOTALL)
     (printed,) = re.findall(r"^```text\n(.*?)^```$", section, re.MULTILINE | re.DOTALL)
     Path("cantilever.toml").write_text(model)

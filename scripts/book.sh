@@ -1,0 +1,29 @@
+#!/bin/sh
+# Builds the book into target/book, from docs/ and mkdocs.yml: open target/book/index.html. A link or an anchor that leads nowhere, a page that the
+# book does not list, and anything that a page would load from the net are errors. Needs Python 3.11 or later; PYTHON names another one than python3.
+set -eu
+
+cd "$(dirname "$0")/.."
+target=${CARGO_TARGET_DIR:-$PWD/target}
+requirements=scripts/book-requirements.txt
+environment=$target/book-env
+if ! cmp -s "$requirements" "$environment/made-from.txt"; then
+    rm -rf "$environment"
+    "${PYTHON:-python3}" -m venv "$environment"
+    "$environment/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps --requirement "$requirements"
+    cp "$requirements" "$environment/made-from.txt"
+fi
+# The theme asks to read about its successor. `--quiet` would hide warnings from `--strict`.
+log=$target/book.log
+if ! NO_MKDOCS_2_WARNING=1 PYTHONDONTWRITEBYTECODE=1 "$environment/bin/python" -m mkdocs build --strict --clean --site-dir "$target/book" > "$log" 2>&1; then
+    grep -v '^INFO' "$log" >&2
+    exit 1
+fi
+# Not used from a book in English: languages of the search, and maps for those who debug the theme.
+rm -rf "$target/book/assets/javascripts/lunr"
+find "$target/book" -name '*.map' -delete
+if grep -rlE '(src|srcset)="?https?://|<link[^>]*href="?https?://|url\("?https?://|import\("?https?://' "$target/book" --include='*.html' --include='*.css'; then
+    echo "these pages of the book load something from the net" >&2
+    exit 1
+fi
+echo "the book: $target/book/index.html"
