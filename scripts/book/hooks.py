@@ -10,10 +10,14 @@ import html
 import posixpath
 import re
 from pathlib import Path
+from xml.etree import ElementTree
 
 from latex2mathml.converter import convert
 from mkdocs.exceptions import PluginError
 from mkdocs.structure.files import File
+
+MATH = "{http://www.w3.org/1998/Math/MathML}"
+ElementTree.register_namespace("", MATH.strip("{}"))
 
 ROOT = Path(__file__).resolve().parents[2]
 # Pages outside of docs/, and where the book has them.
@@ -30,6 +34,7 @@ ASSETS = ["book.css", "iframe-worker.js"]
 LINK = re.compile(r"^```.*?^```|`[^`\n]+`|(!?\[(?:`[^`]*`|[^\]`])*\]\()([^)\s]+)\)", re.MULTILINE | re.DOTALL)
 FORMULA = re.compile(r'<(span|div) class="arithmatex">\\([(\[])(.*?)\\[)\]]</\1>', re.DOTALL)
 TAG = re.compile(r"\\tag\{([^{}]*)\}")
+PRIMES = {"\u2032", "\u2033", "\u2034"}
 # The letters of an upright word, each an identifier of its own.
 WORD = re.compile(r'<mrow>(<mi mathvariant="normal">\w</mi>(?:<m[in](?: mathvariant="normal")?>\w+</m[in]>)+)</mrow>')
 
@@ -74,6 +79,23 @@ def rewritten(text: str, folder: str, page: str) -> str:
     return LINK.sub(replace, text)
 
 
+def lower_prime(element: ElementTree.Element) -> None:
+    """Sets a prime beside its letter: fonts draw it high and small, and as an exponent it would be raised and made smaller once more."""
+    if element.tag not in {f"{MATH}msup", f"{MATH}msubsup"} or element[-1].text not in PRIMES:
+        return
+    base, prime = element[0], element[-1]
+    prime.tag, prime.attrib = f"{MATH}mo", {"form": "postfix", "stretchy": "false", "lspace": "0", "rspace": "0"}
+    row = ElementTree.Element(f"{MATH}mrow")
+    row.extend([base, prime])
+    element.remove(prime)
+    if element.tag == f"{MATH}msubsup":
+        element.tag = f"{MATH}msub"
+        element[0] = row
+    else:
+        element.tag = f"{MATH}mrow"
+        element[:] = [row]
+
+
 def mathml(formula: str, display: str) -> str:
     """The formula, written in LaTeX, as MathML."""
     # Markdown of forges takes two strokes for one, so that the pages end rows with \\cr; the converter knows other names of both.
@@ -84,7 +106,10 @@ def mathml(formula: str, display: str) -> str:
         raise ValueError(converted)
     # Strokes around a value have no space inside.
     converted = converted.replace("<mo>&#x0007C;</mo>", '<mo stretchy="false" lspace="0" rspace="0">|</mo>')
-    return WORD.sub(lambda word: f"<mi>{re.sub('<[^>]*>', '', word[1])}</mi>", converted)
+    tree = ElementTree.fromstring(WORD.sub(lambda word: f"<mi>{re.sub('<[^>]*>', '', word[1])}</mi>", converted))
+    for element in list(tree.iter()):
+        lower_prime(element)
+    return ElementTree.tostring(tree, encoding="unicode")
 
 
 def on_config(config):

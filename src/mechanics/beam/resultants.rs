@@ -1,6 +1,6 @@
 //! What is told of a section: its strains, the force and moments that it transmits, the largest stress on its outline.
 //!
-//! Signs as in docs/model-file.md: forces and moments are what the part towards the beam's end exerts on the part
+//! Signs as in docs/language/outputs.md: forces and moments are what the part towards the beam's end exerts on the part
 //! towards its start. The fiber at (y, z) has the strain `axial + z curvature_y − y curvature_z`.
 
 use super::section::Outline;

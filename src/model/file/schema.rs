@@ -1,8 +1,8 @@
 //! Keys of sections: what they hold, and for numbers the meaning, the unit, the allowed range, and whether they may
 //! change while the model runs.
 //!
-//! Each section has the table of its keys in its own file; copies, overrides and the reference of docs/model-file.md
-//! follow from it.
+//! Each section has the table of its keys in its own file; copies, overrides and docs/language/reference.md follow from
+//! it.
 
 use super::range::{Limit, Range};
 use crate::model::expression::Variable;

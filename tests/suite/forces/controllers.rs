@@ -259,10 +259,10 @@ fn drives_and_loads_do_not_follow() {
     }
 }
 
-/// The example of docs/model-file.md: the pole, which falls by itself, stands again after two seconds.
+/// The example of docs/language/drives.md: the pole, which falls by itself, stands again after two seconds.
 #[test]
 fn the_example_of_the_page_balances() {
-    let page = include_str!("../../../docs/model-file.md");
+    let page = include_str!("../../../docs/language/drives.md");
     let text = page.split("```toml\n").find(|text| text.contains("name = \"CartPole\"")).expect("the example");
     let text = text.split("```").next().expect("its end");
     let balanced = Curves::run(text, &[]).column("upright.angle");

@@ -187,7 +187,7 @@ fn blades_are_seen_from_their_hub() {
 /// The example of the page runs as it says: the tip goes round, and as seen from the hub it moves by millimeters.
 #[test]
 fn the_example_of_the_page_runs() {
-    let page = include_str!("../../../docs/model-file.md");
+    let page = include_str!("../../../docs/language/outputs.md");
     let (_, rest) = page.split_once("### Outputs as seen from a moving part\n").expect("the section");
     let example = rest.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).expect("the example");
     let mut simulation = start(example);

@@ -239,8 +239,8 @@ fn springs_between_points_keep_energy_and_momenta() {
 /// wind and the dampers make of it, and the corner is half an edge away from the center in both directions.
 #[test]
 fn the_example_of_the_page_runs() {
-    let page = include_str!("../../../docs/model-file.md");
-    let (_, rest) = page.split_once("### Points\n").expect("the section");
+    let page = include_str!("../../../docs/language/joints.md");
+    let (_, rest) = page.split_once("## Points\n").expect("the section");
     let example = rest.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).expect("the example");
     let mut simulation = start(example);
     assert_eq!(vector(&simulation, "corner_motion.position"), Vec3::new(-0.2, 0.2, 0.0));

@@ -142,10 +142,11 @@ fn a_law_that_ends_ends_the_run() {
     assert!(failure.contains("gear contact"), "{failure}");
 }
 
-/// The example of docs/model-file.md: the valve opens by its lift once in each turn, pushed by the cam all the time.
+/// The example of docs/language/drives.md: the valve opens by its lift once in each turn, and the cam pushes it all the
+/// time.
 #[test]
 fn the_example_of_the_page_opens() {
-    let page = include_str!("../../../docs/model-file.md");
+    let page = include_str!("../../../docs/language/drives.md");
     let text = page.split("```toml\n").find(|text| text.contains("name = \"ValveTrain\"")).expect("the example");
     let mut simulation = start(text.split("```").next().expect("its end"));
     let (mut widest, mut least) = (0.0_f64, f64::INFINITY);

@@ -447,10 +447,11 @@ fn modes_know_what_is_engaged() {
     assert_eq!(frequency(&text.replace("t >= 1", "t >= 0")), Vec::<f64>::new());
 }
 
-/// The example of docs/model-file.md: the hand lets go at 0.5 s, the arrow leaves the string where it is fastest, and flies on; the trigger is held in between.
+/// The example of docs/language/drives.md: the hand lets go at 0.5 s, and the arrow leaves the string where it is
+/// fastest, and flies on. The trigger is held in between.
 #[test]
 fn the_example_of_the_page_shoots() {
-    let page = include_str!("../../../docs/model-file.md");
+    let page = include_str!("../../../docs/language/drives.md");
     let text = page.split("```toml\n").find(|text| text.contains("name = \"Bow\"")).expect("the example");
     let text = text.split("```").next().expect("its end");
     let curves = Curves::run(text, &[]);

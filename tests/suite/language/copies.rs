@@ -204,8 +204,8 @@ fn the_flat_text_gives_the_same_results() {
 /// The example of the page runs, and its spokes pull the ring evenly: nothing but the tension acts on it.
 #[test]
 fn the_example_of_the_page_runs() {
-    let page = include_str!("../../../docs/model-file.md");
-    let rest = page.split("## Copies and included files").nth(1).expect("the section");
+    let page = include_str!("../../../docs/language/copies.md");
+    let rest = page.split("# Copies and included files").nth(1).expect("the section");
     let example = rest.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).expect("the example");
     let simulation = start(example);
     assert_eq!((simulation.document().springs.len(), simulation.document().beams.len()), (32, 1));

@@ -341,10 +341,10 @@ fn functions_in_copies_know_the_index() {
     assert!(forces.contains(&3.0) && forces.contains(&6.0), "{forces:?}");
 }
 
-/// The example of docs/model-file.md: the mast bends under the gust, in the direction of the wind.
+/// The example of docs/language/expressions.md: the mast bends under the gust, in the direction of the wind.
 #[test]
 fn the_page_has_an_example_that_runs() {
-    let page = include_str!("../../../docs/model-file.md");
+    let page = include_str!("../../../docs/language/expressions.md");
     let rest = page.split("## Functions and tables").nth(1).expect("the section");
     let example = rest.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).expect("the example");
     let mut simulation = running::start(example);

@@ -1,6 +1,6 @@
-//! Does docs/model-file.md have every key that the program reads, with its words, ranges and units? The part between
-//! two marks is made of the tables of keys of the sections. `ANCF14_BLESS=1 cargo test reference_of_keys` writes it
-//! anew.
+//! Does docs/language/reference.md have every key that the program reads, with its words, ranges and units? The part
+//! between two marks is made of the tables of keys of the sections. `ANCF14_BLESS=1 cargo test reference_of_keys`
+//! writes it anew.
 
 use ancf14::model::entries::SECTIONS;
 use ancf14::model::expression::Variable;
@@ -71,7 +71,7 @@ fn reference() -> String {
     for (section, keys) in SECTIONS {
         let name = if ["model", "seabed", "simulation", "water"].contains(section) { "" } else { ".NAME" };
         let head = "| key | value | unit | may depend on | tunable | meaning |\n|---|---|---|---|---|---|";
-        writeln!(text, "\n**`[{section}{name}]`**\n\n{head}").unwrap();
+        writeln!(text, "\n## `[{section}{name}]`\n\n{head}").unwrap();
         text.extend(keys.iter().map(row));
     }
     text
@@ -80,7 +80,7 @@ fn reference() -> String {
 /// A key without a line in the reference would be known to readers of the code only.
 #[test]
 fn reference_of_keys_is_current() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/model-file.md");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/language/reference.md");
     let page = fs::read_to_string(&path).unwrap();
     let (before, rest) = page.split_once(BEGIN).expect("the mark where the keys begin");
     let (_, behind) = rest.split_once(END).expect("the mark where they end");
@@ -90,7 +90,7 @@ fn reference_of_keys_is_current() {
     } else {
         assert!(
             page == wanted,
-            "docs/model-file.md is not what the tables of keys say: write it anew with ANCF14_BLESS=1"
+            "docs/language/reference.md is not what the tables of keys say: write it anew with ANCF14_BLESS=1"
         );
     }
 }

@@ -156,11 +156,11 @@ fn energies_of_parts_add_up() {
     }
 }
 
-/// The example of docs/model-file.md: the absorber takes most of the energy of the kick, and its rail stores a part of
-/// it; the three parts are all that there is.
+/// The example of docs/language/outputs.md: the absorber takes most of the energy of the kick, and its rail stores a
+/// part of it; the three parts are all that there is.
 #[test]
 fn the_example_of_the_page_adds_up() {
-    let page = include_str!("../../../docs/model-file.md");
+    let page = include_str!("../../../docs/language/outputs.md");
     let text = page.split("```toml\n").find(|text| text.contains("name = \"BoomWithAbsorber\"")).expect("the example");
     let mut simulation = start(text.split("```").next().expect("its end"));
     let mut largest = [0.0_f64; 3];

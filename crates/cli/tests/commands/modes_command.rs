@@ -1,5 +1,5 @@
-//! Does `ancf14 modes` write what docs/model-file.md says, and refuse what it cannot do? Exit codes, the columns of its
-//! files to the letter, and the same bytes twice.
+//! Does `ancf14 modes` write what docs/language/results.md says, and refuse what it cannot do? Exit codes, the columns
+//! of its files to the letter, and the same bytes twice.
 
 use ancf14_testing::root;
 use std::path::Path;

@@ -36,8 +36,8 @@ fn main() {
         sections.push(section.text);
     }
     let whole = page::page(&sections);
-    let accuracy = docs.join("accuracy.md");
-    std::fs::write(&accuracy, page::accuracy(&std::fs::read_to_string(&accuracy).unwrap(), &whole)).unwrap();
+    let accuracy = docs.join("accuracy/truth.md");
+    std::fs::write(&accuracy, page::truth(&std::fs::read_to_string(&accuracy).unwrap(), &whole)).unwrap();
     std::fs::write(&file, whole).unwrap();
-    println!("docs/validation.md, docs/validation/*.svg and the tables of docs/accuracy.md are written");
+    println!("docs/validation.md, docs/validation/*.svg and docs/accuracy/truth.md are written");
 }

@@ -145,12 +145,12 @@ pub fn page(sections: &[String]) -> String {
     format!("{HEAD}\n{}\n", texts.join("\n\n"))
 }
 
-/// The page on accuracy, with the tables of `page`, the validation page: they stand behind its last remark.
-pub fn accuracy(text: &str, page: &str) -> String {
+/// docs/accuracy/truth.md, with the tables of `page`, the validation page: they stand behind its last remark.
+pub fn truth(text: &str, page: &str) -> String {
     let end = text.find("-->").expect("the remark before the tables") + "-->".len();
     let titles = CASES.iter().map(|case| case.title).filter(|title| title.starts_with("Estimated errors"));
     let tables: Vec<&str> = titles.filter_map(|title| part(page, title)).collect();
-    format!("{}\n\n{}\n", &text[..end], tables.concat().replace("## Estimated", "### Estimated").trim_end())
+    format!("{}\n\n{}\n", &text[..end], tables.concat().replace("](accuracy.md)", "](../accuracy.md)").trim_end())
 }
 
 /// What stands before the sections.

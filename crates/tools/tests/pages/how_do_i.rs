@@ -1,11 +1,13 @@
-//! Who copies a model of docs/how-do-i.md gets one that runs to its end without a warning, mesh error included, and the
+//! Who copies a model of docs/how-do-i/ gets one that runs to its end without a warning, mesh error included, and the
 //! figures that the page states.
 
 use ancf14::fmi::{About, Model};
 use ancf14::model::simulation::Simulation;
+use ancf14_testing::pages;
 use ancf14_testing::running::value;
 
-const PAGE: &str = include_str!("../../../../docs/how-do-i.md");
+/// The page that lists the entries of all others.
+const INDEX: &str = include_str!("../../../../docs/how-do-i.md");
 
 /// The name, the result at the end, its value by a closed form, and the tolerance of the comparison.
 const STATED: [(&str, &str, f64, f64); 16] = [
@@ -62,7 +64,8 @@ fn ran(text: &str) -> (Simulation, Vec<String>) {
 
 #[test]
 fn models_run_without_a_warning() {
-    let listings = PAGE.split("```toml\n").skip(1).map(|rest| rest.split_once("```\n").unwrap().0);
+    let pages = pages::pages_in("docs/how-do-i");
+    let listings = pages.iter().flat_map(|(_, page)| pages::listings(page, "toml"));
     let mut compared = 0;
     for text in listings.filter(|text| text.starts_with("format = 1")) {
         let (simulation, warnings) = ran(text);
@@ -74,18 +77,22 @@ fn models_run_without_a_warning() {
             compared += 1;
         }
     }
-    assert_eq!(compared, STATED.len(), "a model of the list is not on the page");
+    assert_eq!(compared, STATED.len(), "a model of the list is on no page");
 }
 
-/// Each entry of the table of contents leads to a heading, and each heading is in it.
+/// Each entry of the tables leads to a heading of a page, and each heading is in one of them.
 #[test]
-fn contents_are_those_of_the_page() {
-    let anchor = |heading: &str| heading.to_lowercase().replace(' ', "-");
-    let headings: Vec<_> = PAGE.lines().filter_map(|line| line.strip_prefix("## ")).map(anchor).collect();
-    let table = PAGE.lines().filter(|line| line.starts_with("| "));
-    let links: Vec<_> =
-        table.flat_map(|line| line.split("](#").skip(1)).filter_map(|rest| rest.split(')').next()).collect();
-    let mut sorted = [headings, links.iter().map(|&link| link.to_owned()).collect()];
-    sorted.iter_mut().for_each(|names| names.sort());
-    assert_eq!(sorted[0], sorted[1]);
+fn contents_are_those_of_the_pages() {
+    let mut headings = Vec::new();
+    for (path, page) in pages::pages_in("docs/how-do-i") {
+        let path = path.strip_prefix("docs/").unwrap().to_owned();
+        let own = page.lines().filter_map(|line| line.strip_prefix("## "));
+        headings.extend(own.map(|heading| format!("{path}#{}", heading.to_lowercase().replace(' ', "-"))));
+    }
+    let table = INDEX.lines().filter(|line| line.starts_with("| ["));
+    let links = table.filter_map(|line| line.split_once("](how-do-i/")?.1.split_once(')'));
+    let mut links: Vec<_> = links.map(|(link, _)| format!("how-do-i/{link}")).collect();
+    headings.sort();
+    links.sort();
+    assert_eq!(links, headings);
 }

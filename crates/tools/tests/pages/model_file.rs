@@ -1,12 +1,15 @@
-//! Every whole example of docs/model-file.md starts, and its drawing follows it: docs/model-file/NAME.svg.
+//! Every whole example of docs/model-file.md and docs/language/ starts, and its drawing follows it:
+//! docs/model-file/NAME.svg.
 
 use ancf14::fmi::Model;
 use ancf14::model::drawing::Drawing;
 use ancf14_report::draw::{self, Projection};
 use ancf14_testing::golden;
+use ancf14_testing::pages;
 use ancf14_testing::running;
 
-const PAGE: &str = include_str!("../../../../docs/model-file.md");
+/// The page that leads to all others.
+const INDEX: &str = include_str!("../../../../docs/model-file.md");
 
 /// The name of its model in the words of a file name: `valve_train` for `ValveTrain`.
 fn file_name(model: &str) -> String {
@@ -20,39 +23,53 @@ fn file_name(model: &str) -> String {
     words
 }
 
-/// Each heading is in the contents at the top of the page, and each link of the contents leads to a heading.
+/// The index names each page of the language, and each heading of the pages that have several.
 #[test]
-fn contents_are_those_of_the_page() {
+fn contents_are_those_of_the_pages() {
     let anchor = |heading: &str| {
         let kept = |letter: &char| letter.is_alphanumeric() || [' ', '-'].contains(letter);
         heading.to_lowercase().chars().filter(kept).collect::<String>().replace(' ', "-")
     };
-    let (contents, page) = PAGE.split_once("\n## Principles\n").unwrap();
-    let headings = page.lines().filter_map(|line| line.strip_prefix("### ").or(line.strip_prefix("## "))).map(anchor);
-    // It only groups others.
-    let mut headings: Vec<_> = headings.filter(|own| own != "details").collect();
-    let links = contents.split("](#").skip(1).filter_map(|rest| rest.split_once(')'));
-    let mut links: Vec<_> = links.map(|(link, _)| link.to_owned()).collect();
-    headings.sort();
-    links.sort();
-    assert_eq!(links, headings);
+    for (path, page) in pages::pages_in("docs/language") {
+        let path = path.strip_prefix("docs/").unwrap();
+        let headings: Vec<_> = page.lines().filter_map(|line| line.strip_prefix("## ")).map(anchor).collect();
+        if headings.is_empty() || headings.iter().any(|own| own == "model") {
+            assert!(INDEX.contains(&format!("]({path})")), "docs/model-file.md does not lead to {path}");
+            continue;
+        }
+        for heading in headings {
+            assert!(
+                INDEX.contains(&format!("]({path}#{heading})")),
+                "docs/model-file.md does not lead to {path}#{heading}"
+            );
+        }
+    }
+}
+
+/// The whole examples of a page, each with the text behind it.
+fn examples(page: &str) -> Vec<(&str, &str)> {
+    let listings = page.split("```toml\n").skip(1).map(|rest| rest.split_once("```\n").unwrap());
+    listings.filter(|(text, _)| text.starts_with("format = 1")).collect()
 }
 
 #[test]
 fn examples_start_and_are_drawn() {
-    let listings = PAGE.split("```toml\n").skip(1).map(|rest| rest.split_once("```\n").unwrap());
-    // The first one shows every key, some of which exclude each other.
-    let examples: Vec<_> = listings.filter(|(text, _)| text.starts_with("format = 1")).skip(1).collect();
-    assert!(examples.len() > 15, "{} examples", examples.len());
-    for (text, after) in examples {
-        let simulation = running::start(text);
-        let about = simulation.about();
-        let picture = format!("model-file/{}.svg", file_name(&about.name));
-        assert!(
-            after.contains(&format!("]({picture})")),
-            "docs/model-file.md does not show {picture} after its example"
-        );
-        let svg = draw::svg(&Drawing::new(simulation.document()), &about.name, Projection::Oblique);
-        golden::assert_current(&format!("docs/{picture}"), &svg);
+    let mut pages = pages::pages_in("docs/language");
+    // It shows every key, some of which exclude each other.
+    pages.retain(|(path, _)| path != "docs/language/sections.md");
+    pages.push((String::from("docs/model-file.md"), String::from(INDEX)));
+    let mut drawn = 0;
+    for (path, page) in &pages {
+        for (text, after) in examples(page) {
+            let simulation = running::start(text);
+            let about = simulation.about();
+            let picture = format!("model-file/{}.svg", file_name(&about.name));
+            let link = if path == "docs/model-file.md" { picture.clone() } else { format!("../{picture}") };
+            assert!(after.contains(&format!("]({link})")), "{path} does not show {picture} after its example");
+            let svg = draw::svg(&Drawing::new(simulation.document()), &about.name, Projection::Oblique);
+            golden::assert_current(&format!("docs/{picture}"), &svg);
+            drawn += 1;
+        }
     }
+    assert!(drawn > 15, "{drawn} examples");
 }

@@ -16,11 +16,11 @@ fn the_page_holds_the_numbers_of_the_short_runs() {
     }
 }
 
-/// docs/accuracy.md has the tables on estimated errors of this page.
+/// docs/accuracy/truth.md has the tables on estimated errors of this page.
 #[test]
-fn the_page_on_accuracy_has_its_tables() {
-    let accuracy = include_str!("../../../../docs/accuracy.md");
-    assert_eq!(accuracy, page::accuracy(accuracy, PAGE));
+fn the_page_on_truth_has_its_tables() {
+    let accuracy = include_str!("../../../../docs/accuracy/truth.md");
+    assert_eq!(accuracy, page::truth(accuracy, PAGE));
     assert!(accuracy.contains("| rolled up |") && accuracy.contains("| rotating shaft |"));
 }
 
