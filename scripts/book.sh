@@ -19,9 +19,12 @@ if ! NO_MKDOCS_2_WARNING=1 PYTHONDONTWRITEBYTECODE=1 "$environment/bin/python" -
     grep -v '^INFO' "$log" >&2
     exit 1
 fi
-# Not used from a book in English: languages of the search, and maps for those who debug the theme.
+# Not used in a book from disk, in English: languages of the search, maps for those who debug the theme, and pages for servers. The same pages give the
+# same bytes.
 rm -rf "$target/book/assets/javascripts/lunr"
+rm -f "$target/book/sitemap.xml" "$target/book/sitemap.xml.gz" "$target/book/404.html"
 find "$target/book" -name '*.map' -delete
+cp "$environment"/lib/python3*/site-packages/mkdocs_material-*.dist-info/licenses/LICENSE "$target/book/assets/license-of-the-theme.txt"
 if grep -rlE '(src|srcset)="?https?://|<link[^>]*href="?https?://|url\("?https?://|import\("?https?://' "$target/book" --include='*.html' --include='*.css'; then
     echo "these pages of the book load something from the net" >&2
     exit 1

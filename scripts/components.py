@@ -1,5 +1,5 @@
-"""Writes the list of all components that a release contains, as CycloneDX 1.5: the crates that are linked into library, program, Python module and solver of pages, the packages in the page, and what
-compilers add; with versions, licences, checksums, and which of them needs which.
+"""Writes the list of all components that a release contains, as CycloneDX 1.5: the crates that are linked into library, program, Python module and solver of pages, the packages in the page, what
+compilers add, and the theme of the book; with versions, licences, checksums, and which of them needs which.
 
     target/python-env/bin/python scripts/components.py FILE.cdx.json
 
@@ -77,6 +77,13 @@ def of_compilers() -> list[dict]:
     ]
 
 
+def in_the_book() -> list[dict]:
+    """The theme, whose scripts and style sheets are in the book."""
+    pinned = (ROOT / "scripts/book-requirements.txt").read_text(encoding="utf-8")
+    version = re.search(r"^mkdocs-material==(\S+)", pinned, re.MULTILINE)[1]
+    return [component(f"pkg:pypi/mkdocs-material@{version}", "mkdocs-material", version, "MIT", {}, ["book"])]
+
+
 def needs(components: list[dict]) -> list[dict]:
     """Which crate needs which, and what the program itself needs."""
     known = {entry["bom-ref"] for entry in components}
@@ -96,7 +103,7 @@ def needs(components: list[dict]) -> list[dict]:
 def document(time: int | None) -> dict:
     """The whole list; `time` in seconds since 1970."""
     version = tomllib.loads((ROOT / "Cargo.toml").read_text(encoding="utf-8"))["workspace"]["package"]["version"]
-    components = crates() + in_the_page() + of_compilers()
+    components = crates() + in_the_page() + of_compilers() + in_the_book()
     program = {"type": "application", "bom-ref": "ancf14", "name": "ancf14", "version": version, "licenses": [{"expression": OWN}]}
     stated = {} if time is None else {"timestamp": datetime.fromtimestamp(time, UTC).strftime("%Y-%m-%dT%H:%M:%SZ")}
     return {

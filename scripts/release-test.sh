@@ -1,5 +1,5 @@
 #!/bin/sh
-# Tests what scripts/release.sh has made: the checksums; the archive, unpacked into another folder, by its program and a C program, and
+# Tests what scripts/release.sh has made: the checksums; the archive, unpacked into another folder, by its program, a C program and its book, and
 # by FMUs on 64-bit ARM (qemu) and Windows (Wine), if it has libraries for them; the wheels, by their tags, hashes and libraries; the one for this computer, installed into
 # an empty environment, target/wheel-env, by the tests of the Python package.
 set -eu
@@ -29,6 +29,10 @@ grep -q '^0.1, ' "$place/table.txt"
 test -s "$place/cantilever-results/results.csv"
 test -s "$place/cantilever.fmu"
 echo "archive: the program and a C program run from another folder"
+for page in index first-steps how-do-i/ropes language/reference theory/kinematics search/search_index; do
+    ls "$place/share/doc/ancf14/book/$page".* > "$place/pages.txt"
+done
+echo "archive: the book is there"
 if [ -f "$place/lib/ancf14.wasm" ]; then
     scripts/build-wasm.sh --check "$place/lib/ancf14.wasm"
     echo "archive: the solver of pages is of these sources"

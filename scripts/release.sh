@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes a release in dist/: the Python wheel; for those without Python an archive with the program, the libraries, the header, files for pkg-config and CMake,
-# models and examples; the list of all components (CycloneDX); checksums. Builds what is missing, but for the libraries of other
+# models, examples and the book; the list of all components (CycloneDX); checksums. Builds what is missing, but for the libraries of other
 # platforms, which scripts/build-platforms.sh builds: wheel and archive have those that are there. With the library for 64-bit ARM there is a wheel for it, too.
 # The same commit gives the same archive.
 set -eu
@@ -26,6 +26,8 @@ share=$tree/$name/share/ancf14
 mkdir -p "$share"
 cp -r models c-examples "$share"
 cp README.md CHANGELOG.md "$tree/$name"
+scripts/book.sh
+cp -r "$target/book" "$tree/$name/share/doc/ancf14/book"
 time=$(git log -1 --format=%ct)
 tar --create --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$time" --directory "$tree" "$name" | gzip -9 --no-name > "dist/$name.tar.gz"
 cp "$target"/wheels/ancf14-*.whl dist

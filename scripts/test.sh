@@ -1,6 +1,6 @@
 #!/bin/sh
 # All tests: formatting, lints, Rust, C (a part of the Rust suite), the page of `ancf14 view` in Chromium, the FMUs of all models in FMPy, libcosim and
-# fmutool, and what a release has: the archive and the Python wheel. The solver of pages is tested as well where it is there (scripts/build-wasm.sh) and of these
+# fmutool, the book, and what a release has: the archive and the Python wheel. The solver of pages is tested as well where it is there (scripts/build-wasm.sh) and of these
 # sources. Needs Rust, a C and C++ compiler, Python 3, and pkg-config, valgrind, node and Chromium (installed here if that is possible).
 #
 #     sh scripts/test.sh              everything, in two lanes side by side
@@ -55,6 +55,7 @@ case ${1:-all} in
         exit
         ;;
     delivered)
+        stage book scripts/book.sh
         stage release release
         stage pages scripts/viewer.sh
         ANCF14=target/fmu/ancf14 stage FMPy target/python-env/bin/python -m pytest -q -p no:cacheprovider tests/fmpy

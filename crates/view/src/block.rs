@@ -1,4 +1,4 @@
-//! Lists of numbers as text: bytes sorted into planes, deflated (zlib), in base64 (docs/viewer.md).
+//! Lists of numbers as text: bytes sorted into planes, deflated (zlib), in base64 (docs/viewer/data.md).
 //!
 //! The deflate of this crate does not look at the processor: the same numbers make the same text everywhere.
 

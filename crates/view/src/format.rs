@@ -1,4 +1,5 @@
-//! What the page is told, as JSON: the words of docs/viewer.md. viewer/src/format.ts is the same from the other side.
+//! The data of a page, as JSON: the words of docs/viewer/data.md. viewer/src/format.ts is the same from the other
+//! side.
 
 use super::block::{Effort, Quantized, quantized};
 use super::charts::Charted;

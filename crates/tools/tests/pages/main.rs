@@ -6,3 +6,4 @@ mod campaign;
 mod how_do_i;
 mod model_file;
 mod validation;
+mod words;
