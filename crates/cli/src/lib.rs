@@ -51,9 +51,12 @@ use stop::Stop;
 use verify::Wish;
 use voice::{Complaint, Style, complain, say};
 
+/// The line below the list of commands.
+const BOOK: &str = "The documentation is share/doc/ancf14/book/index.html of a release, and docs/ of the sources.";
+
 /// Simulates flexible beams described in a model file, and packs them as FMUs.
 #[derive(Debug, Parser)]
-#[command(name = "ancf14", version, arg_required_else_help = true)]
+#[command(name = "ancf14", version, arg_required_else_help = true, after_help = BOOK)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -165,6 +165,7 @@ fn shells_and_manuals_know_all_commands() {
     let directory = tempfile::tempdir().unwrap();
     printed(&ancf14(directory.path(), &["man", "pages"]));
     let help = printed(&ancf14(directory.path(), &["--help"]));
+    assert!(help.contains("share/doc/ancf14/book/index.html"), "{help}");
     let commands: Vec<&str> = help
         .lines()
         .skip_while(|line| *line != "Commands:")
