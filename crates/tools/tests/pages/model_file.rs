@@ -1,5 +1,4 @@
-//! Every whole example of docs/model-file.md and docs/language/ starts, and its drawing follows it:
-//! docs/model-file/NAME.svg.
+//! Every whole example of docs/model-file.md, docs/language/ and docs/how-do-i/ starts, and its drawing follows it.
 
 use ancf14::fmi::Model;
 use ancf14::model::drawing::Drawing;
@@ -52,24 +51,49 @@ fn examples(page: &str) -> Vec<(&str, &str)> {
     listings.filter(|(text, _)| text.starts_with("format = 1")).collect()
 }
 
-#[test]
-fn examples_start_and_are_drawn() {
-    let mut pages = pages::pages_in("docs/language");
-    // It shows every key, some of which exclude each other.
-    pages.retain(|(path, _)| path != "docs/language/sections.md");
-    pages.push((String::from("docs/model-file.md"), String::from(INDEX)));
+/// Starts each example of a page in `docs/`. Compares its drawing with `folder`/NAME.svg, if the page leads there by a
+/// link that begins with `up`. Returns the numbers of examples and of drawings.
+fn draw_examples(path: &str, page: &str, folder: &str, up: &str) -> [usize; 2] {
+    let all = examples(page);
     let mut drawn = 0;
-    for (path, page) in &pages {
-        for (text, after) in examples(page) {
-            let simulation = running::start(text);
-            let about = simulation.about();
-            let picture = format!("model-file/{}.svg", file_name(&about.name));
-            let link = if path == "docs/model-file.md" { picture.clone() } else { format!("../{picture}") };
-            assert!(after.contains(&format!("]({link})")), "{path} does not show {picture} after its example");
-            let svg = draw::svg(&Drawing::new(simulation.document()), &about.name, Projection::Oblique);
-            golden::assert_current(&format!("docs/{picture}"), &svg);
+    for (text, after) in &all {
+        let simulation = running::start(text);
+        let name = &simulation.about().name;
+        let file = format!("{}.svg", file_name(name));
+        let behind = after.split("```").next().unwrap_or_default();
+        assert!(!behind.contains(".svg)") || behind.contains(&format!("]({up}{file})")), "{path} lacks {up}{file}");
+        if behind.contains(".svg)") {
+            let svg = draw::svg(&Drawing::new(simulation.document()), name, Projection::Oblique);
+            golden::assert_current(&format!("docs/{folder}/{file}"), &svg);
             drawn += 1;
         }
     }
+    [all.len(), drawn]
+}
+
+/// Every example has its drawing.
+#[test]
+fn examples_start_and_are_drawn() {
+    let mut all = vec![draw_examples("docs/model-file.md", INDEX, "model-file", "model-file/")];
+    for (path, page) in pages::pages_in("docs/language") {
+        // It shows every key, some of which exclude each other.
+        if path != "docs/language/sections.md" {
+            let [found, drawn] = draw_examples(&path, &page, "model-file", "../model-file/");
+            assert_eq!(found, drawn, "{path} has {found} examples and {drawn} drawings");
+            all.push([found, drawn]);
+        }
+    }
+    let drawn: usize = all.iter().map(|[_, drawn]| drawn).sum();
     assert!(drawn > 15, "{drawn} examples");
+}
+
+/// Models of docs/how-do-i/ have a drawing where it shows more than a body.
+#[test]
+fn models_to_copy_are_drawn() {
+    let pages = pages::pages_in("docs/how-do-i");
+    let drawn: usize = pages.iter().map(|(path, page)| draw_examples(path, page, "how-do-i", "")[1]).sum();
+    let pictures = std::fs::read_dir(ancf14_testing::root().join("docs/how-do-i")).unwrap();
+    let pictures = pictures.filter(|entry| entry.as_ref().unwrap().path().extension().is_some_and(|own| own == "svg"));
+    assert_eq!(drawn, pictures.count());
+    assert!(drawn > 10, "{drawn} models");
 }
