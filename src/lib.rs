@@ -35,9 +35,11 @@ pub mod error;
 #[cfg(not(target_family = "wasm"))]
 pub mod ffi;
 pub mod fmi;
+pub mod linear;
 pub mod math;
 pub mod mechanics;
 pub mod model;
+pub mod packed;
 mod simulation;
 pub mod solve;
 

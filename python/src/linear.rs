@@ -3,6 +3,7 @@
 use ancf14::model::linear::{Linear, Matrix, Pole, Signal};
 use ancf14::model::reduced::{Method, Reduced, Size};
 use ancf14::model::simulation::Simulation;
+use ancf14_pack::small::{Reduction, Small};
 use ancf14_report::matrices::{System, word};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -27,6 +28,16 @@ impl LinearSystem {
     /// Of a simulation, with its poles.
     pub fn new(linear: Linear, poles: Result<Vec<Pole>, String>, model: String) -> Self {
         Self { linear, poles, model, reduction: None }
+    }
+
+    /// The system as an FMU has it.
+    ///
+    /// # Errors
+    /// It has too many states.
+    pub fn small(&self, simulation: &Simulation) -> Result<Small, String> {
+        let reduction = self.reduction.map(|(whole, kept, bound, error)| Reduction { whole, kept, bound, error });
+        let poles = self.poles.as_deref().unwrap_or_default();
+        Small::new(simulation, &self.linear, poles, reduction).map_err(|reason| reason.to_string())
     }
 
     /// The same with fewer states.

@@ -8,6 +8,7 @@ use ancf14::model::simulation::Simulation;
 use ancf14_pack::contents::{Contents, LICENCES};
 use ancf14_pack::libraries::{self, Platform};
 use ancf14_pack::package;
+use ancf14_pack::small::Small;
 use ancf14_report::draw::{self, Projection};
 use ancf14_report::modes::word;
 use ancf14_report::{picture, results};
@@ -45,8 +46,9 @@ pub fn drawing(model: &Simulation) -> String {
     draw::svg(&Drawing::new(model.document()), &model.about().name, Projection::default())
 }
 
-/// The bytes of an FMU, of FMI 3.0 or 2.0, with the library of this platform and those of others beside it.
-pub fn fmu(model: &Simulation, library: PathBuf, fmi: u8) -> Result<Vec<u8>, String> {
+/// The bytes of an FMU, of FMI 3.0 or 2.0, with the library of this platform and those of others beside it: of the
+/// mechanism, or of a linear system of it.
+pub fn fmu(model: &Simulation, small: Option<&Small>, library: PathBuf, fmi: u8) -> Result<Vec<u8>, String> {
     let standard = match fmi {
         2 => Standard::Fmi2,
         3 => Standard::Fmi3,
@@ -56,8 +58,9 @@ pub fn fmu(model: &Simulation, library: PathBuf, fmi: u8) -> Result<Vec<u8>, Str
     let icon = picture::icon(&drawing).map_err(|reason| format!("cannot draw the mechanism: {reason}"))?;
     let page = Film::drawn(model).page(None).map_err(|reason| format!("cannot show the mechanism: {reason}"))?;
     let contents = Contents {
-        model: model.document().text(),
-        state: model.first_state().map(|state| &*state.bytes),
+        model: small.map_or(model.document().text(), |small| &small.text),
+        linear: small.map(|small| &small.origin),
+        state: model.first_state().map(|state| &*state.bytes).filter(|_| small.is_none()),
         licences: LICENCES,
         icon: &icon,
         page: &page,
@@ -67,7 +70,11 @@ pub fn fmu(model: &Simulation, library: PathBuf, fmi: u8) -> Result<Vec<u8>, Str
     let mut files = libraries::find_others(&library);
     files.insert(0, (Platform::NATIVE, library));
     let libraries = libraries::read(&files).map_err(|reason| reason.to_string())?;
-    package::fmu(standard, model.about(), model.variables(), &contents, &libraries).map_err(|reason| reason.to_string())
+    let (about, variables) = match small {
+        Some(small) => (small.unit.about(), small.unit.variables()),
+        None => (model.about(), model.variables()),
+    };
+    package::fmu(standard, about, variables, &contents, &libraries).map_err(|reason| reason.to_string())
 }
 
 /// The text of results.csv, from columns: name, whether its values are whole numbers, values.

@@ -211,7 +211,21 @@ impl Simulation {
     /// The bytes of an FMU of the model.
     fn pack<'py>(&self, py: Python<'py>, library: PathBuf, fmi: u8) -> PyResult<Bound<'py, PyBytes>> {
         let model = self.get()?.model();
-        let bytes = py.detach(|| models::fmu(model, library, fmi)).map_err(PyRuntimeError::new_err)?;
+        let bytes = py.detach(|| models::fmu(model, None, library, fmi)).map_err(PyRuntimeError::new_err)?;
+        Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// The bytes of an FMU of a linear system of the model.
+    fn pack_linear<'py>(
+        &self,
+        py: Python<'py>,
+        system: &LinearSystem,
+        library: PathBuf,
+        fmi: u8,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let model = self.get()?.model();
+        let fmu = || models::fmu(model, Some(&system.small(model)?), library, fmi);
+        let bytes = py.detach(fmu).map_err(PyRuntimeError::new_err)?;
         Ok(PyBytes::new(py, &bytes))
     }
 

@@ -12,13 +12,14 @@ use super::{
     types::{fmi2CallbackFunctions, fmi2CallbackLogger, fmi2ComponentEnvironment},
 };
 use crate::fmi::{
-    Failure, LogCategory, Model, Status,
+    LogCategory, Model, Status,
     error::Error,
     instance::{Instance, Progress},
     lifecycle::Standard,
-    location::{self, LIBRARY, MODEL_FILE},
+    location::{self, LIBRARY},
     log,
 };
+use crate::packed::Packed;
 
 /// The host as an instance sees it.
 #[derive(Clone, Debug)]
@@ -149,20 +150,16 @@ impl<M: Model> Component<M> {
     }
 }
 
-/// Loads the model of an unpacked FMU, by `load` from the directory of its resources, file name and text.
+/// Loads the model of an unpacked FMU.
 ///
 /// # Errors
 /// No resources, no readable model file, a file that is no model, or another GUID than the description's.
-pub fn load<M: Model>(
-    guid: &str,
-    resources: &str,
-    load: impl FnOnce(&Path, &str, &str) -> Result<M, Failure>,
-) -> Result<M, Error> {
+pub fn load(guid: &str, resources: &str) -> Result<Packed, Error> {
     let directory = match location::directory(resources)? {
         Some(directory) => directory,
         None => own_resources()?,
     };
-    let path = directory.join(MODEL_FILE);
+    let path = directory.join(Packed::file(|name| directory.join(name).is_file()));
     let text = fs::read_to_string(&path).map_err(|reason| {
         Error::Instantiate(format!(
             "cannot read the model file {}: {reason}; the resource location must be the unpacked `resources` directory \
@@ -170,7 +167,7 @@ pub fn load<M: Model>(
             path.display()
         ))
     })?;
-    let model = load(&directory, &path.display().to_string(), &text)?;
+    let model = Packed::load(&directory, &path, &text)?;
     let own = &model.about().guid;
     if own != guid {
         return Err(Error::Instantiate(format!(

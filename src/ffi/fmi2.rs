@@ -21,7 +21,7 @@ use crate::{
         instance::{Instance, StatusKind},
         lifecycle::Call,
     },
-    model::simulation::Simulation,
+    packed::Packed,
 };
 
 /// Three lines per function: borrow, call safe code, translate.
@@ -31,9 +31,9 @@ use crate::{
 pub(super) unsafe fn guard(
     c: fmi2Component,
     call: Call,
-    body: impl FnOnce(&mut Instance<Simulation>) -> Result<(), Error>,
+    body: impl FnOnce(&mut Instance<Packed>) -> Result<(), Error>,
 ) -> fmi2Status {
-    // SAFETY: the caller's promise; every component of this library has a `Simulation`.
+    // SAFETY: the caller's promise; every component of this library has a `Packed`.
     unsafe { guard::guard(c, call, body) }
 }
 
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
     }
 }
 
-/// Loads `resources/model.toml` and makes an instance of it; NULL with a log line if that is not possible
+/// Loads the model in `resources` and makes an instance of it; NULL with a log line if that is not possible
 /// (section 2.1.5).
 ///
 /// # Safety
@@ -109,12 +109,7 @@ pub unsafe extern "C" fn fmi2Instantiate(
 ///
 /// # Safety
 /// The texts are NULL or end with a zero byte.
-unsafe fn instantiate(
-    name: &CStr,
-    kind: fmi2Type,
-    guid: fmi2String,
-    resources: fmi2String,
-) -> Result<Simulation, Error> {
+unsafe fn instantiate(name: &CStr, kind: fmi2Type, guid: fmi2String, resources: fmi2String) -> Result<Packed, Error> {
     let refused = |reason: &str| Err(Error::Instantiate(reason.to_owned()));
     if name.to_bytes().trim_ascii().is_empty() {
         return refused("the instance name is NULL or blank; pass a name that is unique in the simulation");
@@ -126,7 +121,7 @@ unsafe fn instantiate(
     let guid = unsafe { text(guid, "fmuGUID") }?;
     // SAFETY: the caller's promise.
     let resources = if resources.is_null() { "" } else { unsafe { text(resources, "fmuResourceLocation") }? };
-    component::load(guid, resources, Simulation::load_packed)
+    component::load(guid, resources)
 }
 
 /// Gives an instance back; NULL is fine (section 2.1.5).
@@ -135,8 +130,8 @@ unsafe fn instantiate(
 /// `c` is a live instance, which is not used again.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeInstance(c: fmi2Component) {
-    // SAFETY: the caller's promise; every component of this library has a `Simulation`.
-    unsafe { guard::free::<Simulation>(c) }
+    // SAFETY: the caller's promise; every component of this library has a `Packed`.
+    unsafe { guard::free::<Packed>(c) }
 }
 
 /// Start and stop time, s; the tolerance is not used (section 2.1.6).
@@ -401,7 +396,7 @@ pub unsafe extern "C" fn fmi2GetStringStatus(
 
 /// The kind of status a host asks for. The calling table comes first: in a mode that forbids the call, its kind does
 /// not matter.
-fn kind(instance: &Instance<Simulation>, call: Call, s: fmi2StatusKind) -> Result<StatusKind, Error> {
+fn kind(instance: &Instance<Packed>, call: Call, s: fmi2StatusKind) -> Result<StatusKind, Error> {
     instance.check(call)?;
     status_kind(s).ok_or(Error::NoSuchStatus { reason: "the standard has the kinds 0 to 3" })
 }

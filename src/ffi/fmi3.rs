@@ -23,7 +23,7 @@ use crate::{
         instance::{Instance, Progress},
         lifecycle::{Call, Standard},
     },
-    model::simulation::Simulation,
+    packed::Packed,
 };
 
 /// Three lines per function: borrow, call safe code, translate.
@@ -33,9 +33,9 @@ use crate::{
 pub(super) unsafe fn guard(
     instance: fmi3Instance,
     call: Call,
-    body: impl FnOnce(&mut Instance<Simulation>) -> Result<(), Error>,
+    body: impl FnOnce(&mut Instance<Packed>) -> Result<(), Error>,
 ) -> fmi3Status {
-    // SAFETY: the caller's promise; every component of this library has a `Simulation`.
+    // SAFETY: the caller's promise; every component of this library has a `Packed`.
     unsafe { guard::run(Standard::Fmi3, instance, call, body) }.into()
 }
 
@@ -66,7 +66,7 @@ pub unsafe extern "C" fn fmi3SetDebugLogging(
     }
 }
 
-/// Loads `resources/model.toml` and makes an instance of it; NULL with a log line if that is not possible (section
+/// Loads the model in `resources` and makes an instance of it; NULL with a log line if that is not possible (section
 /// 2.3.1).
 ///
 /// # Safety
@@ -122,7 +122,7 @@ unsafe fn instantiate(
     token: fmi3String,
     resources: fmi3String,
     eventModeUsed: fmi3Boolean,
-) -> Result<Simulation, Error> {
+) -> Result<Packed, Error> {
     let refused = |reason: &str| Err(Error::Instantiate(reason.to_owned()));
     // SAFETY: the caller's promise.
     let name = if name.is_null() { c"" } else { unsafe { CStr::from_ptr(name) } };
@@ -136,7 +136,7 @@ unsafe fn instantiate(
     let token = unsafe { text(token, "instantiationToken") }?;
     // SAFETY: the caller's promise.
     let resources = if resources.is_null() { "" } else { unsafe { text(resources, "resourcePath") }? };
-    component::load(token, resources, Simulation::load_packed)
+    component::load(token, resources)
 }
 
 /// Gives an instance back; NULL is fine (section 2.3.1).
@@ -145,8 +145,8 @@ unsafe fn instantiate(
 /// `instance` is a live instance, which is not used again.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3FreeInstance(instance: fmi3Instance) {
-    // SAFETY: the caller's promise; every component of this library has a `Simulation`.
-    unsafe { guard::free::<Simulation>(instance) }
+    // SAFETY: the caller's promise; every component of this library has a `Packed`.
+    unsafe { guard::free::<Packed>(instance) }
 }
 
 /// Sets the experiment up, s, and enters Initialization Mode (section 2.3.2).
@@ -309,7 +309,7 @@ pub unsafe extern "C" fn fmi3DoStep(
 ) -> fmi3Status {
     // SAFETY: the caller's promise.
     unsafe {
-        let callbacks = guard::callbacks::<Simulation>(instance).filter(Callbacks::has_update);
+        let callbacks = guard::callbacks::<Packed>(instance).filter(Callbacks::has_update);
         let status = guard(instance, Call::DoStep, |instance| {
             *place(eventHandlingNeeded, "eventHandlingNeeded")? = fmi3False;
             *place(terminateSimulation, "terminateSimulation")? = fmi3False;

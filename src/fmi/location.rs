@@ -14,6 +14,9 @@ pub const STATE_FILE: &str = "start.state";
 /// The model file inside `resources`.
 pub const MODEL_FILE: &str = "model.toml";
 
+/// The file of a linear system inside `resources`, which has no model file then.
+pub const LINEAR_FILE: &str = "linear.toml";
+
 /// The shared library for the machine this was built for, as `scripts/build.sh` delivers it.
 pub const LIBRARY: &str = match () {
     () if cfg!(windows) => "ancf14.dll",

@@ -229,12 +229,13 @@ def archive_problems(data: bytes) -> list[str]:
     if "modelDescription.xml" not in names:
         return [*problems, "modelDescription.xml is missing"]
     identifier = etree.fromstring(archive.read("modelDescription.xml")).find("CoSimulation").get("modelIdentifier")
+    model = "linear" if "resources/linear.toml" in names else "model"
     starts = {
         "model.png": b"\x89PNG\r\n\x1a\n",
         "terminalsAndIcons/terminalsAndIcons.xml": b"<?xml",
         "documentation/index.html": b"<!DOCTYPE html>",
         "documentation/licenses/license.txt": b"Licences",
-        "resources/model.toml": b"",
+        f"resources/{model}.toml": b"",
         f"binaries/linux64/{identifier}.so": b"\x7fELF",
     }
     for name, start in starts.items():

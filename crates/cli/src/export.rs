@@ -43,26 +43,18 @@ pub struct Libraries<'a> {
     pub program: Option<&'a Path>,
 }
 
-/// Packs the model `file` as an FMU of a version of the standard, with the libraries that are given or lie beside that
-/// of this platform. Meshes that are left to the program are found first, unless they are to stay as they begin.
-pub fn pack(
+/// The libraries of an FMU of a version of the standard, that of this platform first: those that are given, and those
+/// that lie beside it.
+pub fn gather(
     standard: Standard,
-    (file, reach): (&Path, Reach),
-    output: &Path,
-    no_refine: bool,
     Libraries { own: library, others, program }: Libraries<'_>,
-) -> Result<(), Stop> {
-    if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("fmu")) {
-        let shown = output.display();
-        return Err(Stop::Bad(format!("error: an FMU has a name that ends in .fmu, {shown} does not")));
-    }
+) -> Result<Vec<(Platform, PathBuf)>, Stop> {
     let executable = match program {
         Some(program) => program.to_owned(),
         None => std::env::current_exe()
             .map_err(|reason| Stop::Failed(format!("error: this program cannot find itself: {reason}")))?,
     };
-    let (mut simulation, mut text) = load(file, &[], reach)?;
-    // No library at the place that was given is a wrong argument; a failed write is not.
+    // A path without a library is a wrong argument; a failed write is not.
     let own = libraries::find_library(library, &executable).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     let mut beside = libraries::find_others(&own);
     let fits = |platform: Platform| standard == Standard::Fmi3 || platform != Platform::Wasm;
@@ -73,21 +65,62 @@ pub fn pack(
     let mut packed = vec![(Platform::NATIVE, own)];
     packed.extend(others);
     packed.extend(beside);
+    Ok(packed)
+}
+
+/// How an FMU shows its mechanism.
+#[derive(Debug)]
+pub struct Look {
+    pub icon: Vec<u8>,
+    pub page: String,
+    pub drawing: String,
+    pub legend: String,
+}
+
+impl Look {
+    /// The mechanism as drawn.
+    pub fn of(simulation: &Simulation) -> Result<Self, Stop> {
+        let drawing = Drawing::new(simulation.document());
+        Ok(Self {
+            icon: picture::icon(&drawing).map_err(|reason| undrawn(&*reason))?,
+            page: page(&Film::drawn(simulation))?,
+            drawing: draw::svg(&drawing, "", Projection::default()),
+            legend: draw::legend(&drawing),
+        })
+    }
+}
+
+/// Packs the model `file` as an FMU of a version of the standard, with the libraries that are given or lie beside that
+/// of this platform. Meshes that are left to the program are found first, unless they are to stay as they begin.
+pub fn pack(
+    standard: Standard,
+    (file, reach): (&Path, Reach),
+    output: &Path,
+    no_refine: bool,
+    libraries: Libraries<'_>,
+) -> Result<(), Stop> {
+    if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("fmu")) {
+        let shown = output.display();
+        return Err(Stop::Bad(format!("error: an FMU has a name that ends in .fmu, {shown} does not")));
+    }
+    let (mut simulation, mut text) = load(file, &[], reach)?;
+    let packed = gather(standard, libraries)?;
     let read = packed.iter().map(|(_, path)| ("a library to pack", path.as_path()));
     let inputs: Vec<Input<'_>> = read.chain([(MODEL_FILE, file)]).collect();
     output::spare(&inputs, &[output.to_owned()])?;
     if !no_refine && let Some(found) = found(&simulation, (file, reach))? {
         (simulation, text) = found;
     }
-    let drawing = Drawing::new(simulation.document());
+    let look = Look::of(&simulation)?;
     let contents = Contents {
         model: &text,
+        linear: None,
         state: simulation.first_state().map(|state| &*state.bytes),
         licences: LICENCES,
-        icon: &picture::icon(&drawing).map_err(|reason| undrawn(&*reason))?,
-        page: &page(&Film::drawn(&simulation))?,
-        drawing: &draw::svg(&drawing, "", Projection::default()),
-        legend: &draw::legend(&drawing),
+        icon: &look.icon,
+        page: &look.page,
+        drawing: &look.drawing,
+        legend: &look.legend,
     };
     let bytes = libraries::read(&packed).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     let fmu = package::fmu(standard, simulation.about(), simulation.variables(), &contents, &bytes);

@@ -27,6 +27,7 @@ mod reduce;
 mod rows;
 mod run;
 mod shell;
+mod small;
 mod stages;
 mod stop;
 mod tune;
@@ -408,8 +409,8 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (simulation, _) = model.load()?;
             modes::modes(simulation, wishes, &model.directory(out), &[model.input()])
         }
-        Command::Linearize { model, wishes } => linearize::linearize(&model, &wishes),
-        Command::Reduce { model, wishes } => reduce::reduce(&model, &wishes),
+        Command::Linearize { model, wishes } => linearize::linearize(&model, &wishes, program),
+        Command::Reduce { model, wishes } => reduce::reduce(&model, &wishes, program),
         Command::Campbell { model, wishes } => campbell::campbell(&model, &wishes),
         Command::View { model, modes, watch: true, .. } => watch::watch(&model, modes.map(modes::count_or_default)),
         Command::View { model, other, output, modes, live, .. } => {

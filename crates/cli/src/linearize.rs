@@ -1,6 +1,7 @@
 //! `linearize`: the matrices of a mechanism about a state, as a file for control toolboxes, and its poles as a table.
 
-use super::{ModelArguments, Stop, complain, failed, output, say, start, voice};
+use super::small::{Packing, Target};
+use super::{ModelArguments, Stop, complain, failed, say, start, voice};
 use ancf14::fmi::Model;
 use ancf14::model::entries::simulation::{Analysis, Initial, Steps};
 use ancf14::model::linear::{Linear, Pole, PoleKind, Signal};
@@ -24,9 +25,11 @@ pub struct Wishes {
     /// Compare the softest vibration with a run of 20 periods that begins with it
     #[arg(long, conflicts_with = "steady")]
     check: bool,
-    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, or .json
+    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, .json, or .fmu for a small FMU
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    packing: Packing,
 }
 
 /// Where a mechanism is linearized, from which inputs to which outputs.
@@ -116,6 +119,7 @@ pub enum Format {
     Npz,
     Mat,
     Json,
+    Fmu,
 }
 
 impl Format {
@@ -125,23 +129,11 @@ impl Format {
             Some("npz") => Ok(Self::Npz),
             Some("mat") => Ok(Self::Mat),
             Some("json") => Ok(Self::Json),
+            Some("fmu") => Ok(Self::Fmu),
             _ => Err(Stop::Bad(format!(
-                "error: {} has no ending that says what it is; give a file that ends in .npz, .mat or .json",
+                "error: {} has no ending that says what it is; give a file that ends in .npz, .mat, .json or .fmu",
                 path.display()
             ))),
-        }
-    }
-}
-
-impl Format {
-    /// The bytes of a file.
-    pub fn bytes(self, system: &System) -> Result<Vec<u8>, Stop> {
-        match self {
-            Self::Npz => {
-                system.npz().map_err(|reason| Stop::Failed(format!("error: cannot write the archive: {reason}")))
-            }
-            Self::Mat => Ok(system.mat()),
-            Self::Json => Ok(system.json().into_bytes()),
         }
     }
 }
@@ -189,9 +181,9 @@ pub fn find(model: &ModelArguments, place: &Place) -> Result<(Simulation, Linear
 }
 
 /// Linearizes, and writes what is asked for.
-pub fn linearize(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
-    let format = wishes.output.as_deref().map(Format::of).transpose()?;
-    output::spare(&[model.input()], wishes.output.as_slice())?;
+pub fn linearize(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -> Result<(), Stop> {
+    let output = wishes.output.as_deref();
+    let target = output.map(|path| Target::new(path, &wishes.packing, model.input(), program)).transpose()?;
     let (simulation, found) = find(model, &wishes.place)?;
     let prints = wishes.poles.is_some() || wishes.output.is_none();
     let poles = match found.poles(&simulation) {
@@ -204,8 +196,8 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
     };
     let name = simulation.about().name.clone();
     let system = System { linear: &found, poles: &poles, model: &name, version: env!("CARGO_PKG_VERSION") };
-    if let (Some(path), Some(format)) = (&wishes.output, format) {
-        output::write(path, &format.bytes(&system)?)?;
+    if let Some(target) = target {
+        target.write(&simulation, &system, None)?;
     }
     let checked = if wishes.check { Some(check(model, wishes.place.at, &found, &poles)?) } else { None };
     if voice::is_json() {

@@ -1,12 +1,14 @@
 //! `reduce`: the linear system of a mechanism with fewer states, as a file.
 
-use super::linearize::{self, Format, Place};
-use super::{ModelArguments, Stop, failed, output, say, voice};
+use super::linearize::{self, Place};
+use super::small::{Packing, Target};
+use super::{ModelArguments, Stop, failed, say, voice};
 use ancf14::fmi::Model;
 use ancf14::model::reduced::{Method, Reduced, Size};
+use ancf14_pack::small::Reduction;
 use ancf14_report::matrices::System;
 use serde_json::json;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The arguments of `reduce`.
 #[derive(clap::Args, Clone, Debug)]
@@ -26,9 +28,11 @@ pub struct Wishes {
     /// Print the largest error over many frequencies
     #[arg(long)]
     check: bool,
-    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, or .json
+    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, .json, or .fmu for a small FMU
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
+    #[command(flatten)]
+    packing: Packing,
 }
 
 /// How states are left out.
@@ -50,10 +54,8 @@ fn error(text: &str) -> Result<f64, String> {
 }
 
 /// Reduces, and writes the file.
-pub fn reduce(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
-    let format = Format::of(&wishes.output)?;
-    output::spare(&[model.input()], std::slice::from_ref(&wishes.output))?;
-    output::try_out(&wishes.output)?;
+pub fn reduce(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -> Result<(), Stop> {
+    let target = Target::new(&wishes.output, &wishes.packing, model.input(), program)?;
     let (simulation, whole) = linearize::find(model, &wishes.place)?;
     let size = match wishes.order {
         Some(order) => Size::Order(usize::from(order)),
@@ -67,8 +69,9 @@ pub fn reduce(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
     let name = simulation.about().name.clone();
     let version = env!("CARGO_PKG_VERSION");
     let system = System { linear: &found.linear, poles: &found.poles, model: &name, version };
-    output::write(&wishes.output, &format.bytes(&system)?)?;
     let Reduced { linear, whole, kept, bound, error, .. } = &found;
+    let reduction = Reduction { whole: *whole, kept: *kept, bound: *bound, error: *error };
+    target.write(&simulation, &system, Some(reduction))?;
     let order = linear.states.len();
     if voice::is_json() {
         let error = wishes.check.then_some(error);

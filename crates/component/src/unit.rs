@@ -14,9 +14,10 @@ use ancf14::fmi::{
     error::Error,
     instance::Instance,
     lifecycle::{Call, Standard},
-    location::STATE_FILE,
+    location::{LINEAR_FILE, STATE_FILE},
 };
 use ancf14::model::simulation::Simulation;
+use ancf14::packed::Packed;
 
 /// How a host makes an instance.
 #[derive(Debug)]
@@ -36,7 +37,7 @@ pub struct Wishes {
 
 /// An instance and its host.
 pub struct Unit {
-    instance: RefCell<Instance<Simulation>>,
+    instance: RefCell<Instance<Packed>>,
     name: String,
     early_return: bool,
     /// Elements of the variables by their references.
@@ -44,7 +45,7 @@ pub struct Unit {
 }
 
 impl Unit {
-    /// Loads `model.toml` of the resources; none with a log line if that is not possible.
+    /// Loads the model of the resources; none with a log line if that is not possible.
     pub fn new(wishes: Wishes) -> Option<Self> {
         let name = wishes.name.clone();
         Self::load(wishes)
@@ -66,18 +67,24 @@ impl Unit {
             ));
         }
         let resources = wishes.resources.trim_end_matches('/');
-        let path = format!("{resources}/model.toml");
+        let file = Packed::file(|name| files::read(&format!("{resources}/{name}")).is_ok());
+        let path = format!("{resources}/{file}");
         let text = files::text(&path).map_err(|reason| {
             Error::Instantiate(format!(
                 "cannot read the model file {path}: {reason}; the resource path must be the unpacked `resources` \
                  directory of the FMU, which the host opens for the component"
             ))
         })?;
-        let mut model = Simulation::load_with(None, &path, &text, &[], &|_| {
-            let path = format!("{resources}/{STATE_FILE}");
-            files::read(&path).map_err(|reason| format!("cannot read {path}: {reason}"))
-        })?;
-        model.heed_mesh_error();
+        let model = if file == LINEAR_FILE {
+            Packed::linear(&path, &text)?
+        } else {
+            let mut model = Simulation::load_with(None, &path, &text, &[], &|_| {
+                let path = format!("{resources}/{STATE_FILE}");
+                files::read(&path).map_err(|reason| format!("cannot read {path}: {reason}"))
+            })?;
+            model.heed_mesh_error();
+            Packed::Mechanism(Box::new(model))
+        };
         let own = &model.about().guid;
         if *own != wishes.token {
             return refused(format!(
@@ -108,20 +115,20 @@ impl Unit {
     pub fn answer<T>(
         &self,
         call: Call,
-        body: impl FnOnce(&mut Instance<Simulation>) -> Result<T, Error>,
+        body: impl FnOnce(&mut Instance<Packed>) -> Result<T, Error>,
     ) -> Result<T, Status> {
         self.run(call, body).map(|(values, _)| values)
     }
 
     /// Runs the body of a call that returns its status only; an error goes to the log.
-    pub fn status(&self, call: Call, body: impl FnOnce(&mut Instance<Simulation>) -> Result<(), Error>) -> Status {
+    pub fn status(&self, call: Call, body: impl FnOnce(&mut Instance<Packed>) -> Result<(), Error>) -> Status {
         self.run(call, body).map_or_else(|refused| refused, |((), status)| status)
     }
 
     fn run<T>(
         &self,
         call: Call,
-        body: impl FnOnce(&mut Instance<Simulation>) -> Result<T, Error>,
+        body: impl FnOnce(&mut Instance<Packed>) -> Result<T, Error>,
     ) -> Result<(T, Status), Status> {
         let (mode, time) = {
             let instance = self.instance.borrow();

@@ -7,6 +7,7 @@ use quick_xml::escape::escape;
 
 use crate::contents::{Contents, LICENCES_FILE};
 use crate::description_fmi3::description;
+use crate::documentation_linear;
 use ancf14::fmi::arrays::{Array, arrays};
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::variable::{Causality, Variable};
@@ -227,8 +228,14 @@ fn write_page(
         (count > 0).then(|| format!("<a href=\"#{anchor}\">{} ({count})</a>", heading.to_lowercase()))
     };
     writeln!(out, "{}.</p>", GROUPS.iter().filter_map(heading).collect::<Vec<_>>().join(", "))?;
-    list(out, "How it behaves", &behavior(standard))?;
     let inputs = variables.iter().any(|variable| variable.causality == Causality::Input);
+    if let Some(origin) = contents.linear {
+        documentation_linear::write(out, origin, variables)?;
+        list(out, "How it behaves", &documentation_linear::behavior(standard))?;
+        list(out, "Units, axes, signs", &SIGNS.map(str::to_owned))?;
+        return write_end(out, standard, about, variables);
+    }
+    list(out, "How it behaves", &behavior(standard))?;
     match standard {
         Standard::Fmi2 if inputs => {
             table_of(
@@ -260,7 +267,13 @@ fn write_page(
         "<p>The choice is the model file's, for each end by itself. Masters that repeat a step take an FMU state before it; the directional \
          derivatives of the step are the interface Jacobian that they iterate with.</p>"
     )?;
+    write_end(out, standard, about, variables)
+}
+
+/// What all pages end with: hosts, variables, who made it.
+fn write_end(out: &mut String, standard: Standard, about: &About, variables: &[Variable]) -> Result<(), Error> {
     hosts(out, standard, about, variables)?;
+    let rows = rows_of(standard, variables);
     for group in &GROUPS {
         table(out, standard, group, &rows, variables)?;
     }

@@ -28,6 +28,19 @@ pub enum Error {
         /// The places, separated by commas.
         looked: String,
     },
+    /// A linear system has too many states.
+    #[error(
+        "the linear system has {order} states, and an FMU can have at most {}; `ancf14 reduce` leaves out those that its \
+         inputs and outputs do not need",
+        ancf14::linear::MOST_STATES
+    )]
+    States {
+        /// How many.
+        order: usize,
+    },
+    /// A linear system is not a unit.
+    #[error("{0}")]
+    Linear(String),
     /// Reading or writing failed.
     #[error("{what}: {reason}")]
     Io {

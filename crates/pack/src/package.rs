@@ -1,7 +1,7 @@
 //! The FMU: a zip archive of description, picture, libraries, model file, documentation and licences (FMI 2.0, section
 //! 2.3; FMI 3.0, section 2.5).
 //!
-//! The library is the same for every model; it reads `resources/model.toml` when it is instantiated. It is found by
+//! The library is the same for every model; it reads `resources/model.toml`, or `resources/linear.toml`, when it is instantiated. It is found by
 //! `--library PATH`, else beside the executable, else in `../lib`. The same input gives the same bytes: fixed order,
 //! fixed dates, fixed compression.
 
@@ -12,7 +12,7 @@ use crate::libraries::Platform;
 use crate::{description, description_fmi3, documentation, terminals};
 use ancf14::fmi::About;
 use ancf14::fmi::lifecycle::Standard;
-use ancf14::fmi::location::{MODEL_FILE, STATE_FILE};
+use ancf14::fmi::location::{LINEAR_FILE, MODEL_FILE, STATE_FILE};
 use ancf14::fmi::variable::Variable;
 use quick_xml::events::{BytesDecl, Event};
 use std::io::{Cursor, Write};
@@ -64,7 +64,8 @@ pub fn fmu(
     }
     entries.push(("documentation/index.html".to_owned(), page.as_bytes()));
     entries.push((format!("documentation/{LICENCES_FILE}"), contents.licences.as_bytes()));
-    entries.push((format!("resources/{MODEL_FILE}"), contents.model.as_bytes()));
+    let file = if contents.linear.is_some() { LINEAR_FILE } else { MODEL_FILE };
+    entries.push((format!("resources/{file}"), contents.model.as_bytes()));
     if let Some(state) = contents.state {
         entries.push((format!("resources/{STATE_FILE}"), state));
     }

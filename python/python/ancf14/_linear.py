@@ -142,3 +142,21 @@ class Linearization:
             raise CallError(f"{path} has no ending that says what it is; give a path that ends in .npz, .mat or .json")
         path.write_bytes(self._native.file(kind))
         return path
+
+    def pack(self, path: str | os.PathLike[str], *, fmi: int = 2) -> Path:
+        """Pack the system as a small FMU for co-simulation, write it to ``path`` and return the path.
+
+        ``fmi`` is the version of the standard: 2 for FMI 2.0, 3 for FMI 3.0. The FMU is right for small motions about the state of the system. It can have at
+        most 300 states: reduce larger systems first.
+        """
+        path = Path(path)
+        if path.suffix.lower() != ".fmu":
+            raise CallError(f"an FMU has a name that ends in .fmu, {path} does not")
+        if fmi not in (2, 3):
+            raise CallError(f"fmi is 2 or 3, not {fmi}")
+        library = Path(__file__).with_name("libancf14.so")
+        try:
+            path.write_bytes(self._simulation.pack_linear(self._native, str(library), fmi))
+        except RuntimeError as reason:
+            raise RunError(str(reason)) from None
+        return path

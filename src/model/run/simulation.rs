@@ -1,4 +1,4 @@
-//! A model that runs: the one [`fmi::Model`](crate::fmi::Model) of this library, and what `ancf14 run` drives too.
+//! A mechanism that runs: an [`fmi::Model`](crate::fmi::Model), and what `ancf14 run` drives too.
 
 mod at_instant;
 pub mod campbell;

@@ -13,6 +13,7 @@ mod header;
 mod host;
 mod instance;
 mod lifecycle;
+mod linear;
 mod location;
 mod log;
 mod mischief;

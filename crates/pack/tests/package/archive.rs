@@ -22,6 +22,7 @@ const MODEL: &str = "format = 1\n";
 const CONTENTS: Contents<'_> = Contents {
     state: None,
     model: MODEL,
+    linear: None,
     licences: "do",
     icon: b"\x89PNG",
     page: "<p class=\"x\">'&'</p>",

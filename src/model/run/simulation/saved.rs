@@ -82,7 +82,7 @@ impl<'a> Saved<'a> {
 
 impl Snapshot {
     /// Its bytes, behind `bytes`.
-    pub(super) fn write(&self, bytes: Vec<u8>) -> Vec<u8> {
+    pub fn write(&self, bytes: Vec<u8>) -> Vec<u8> {
         let [values, slopes] = self.inputs.parts();
         let saved = Saved {
             settings: self.document.settings(),

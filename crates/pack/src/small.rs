@@ -1,0 +1,116 @@
+//! The small FMU of a linear system: its file, its unit, and what its page says of where it comes from.
+
+use crate::error::Error;
+use ancf14::fmi::{About, Model};
+use ancf14::linear::{File, MOST_STATES, Matrix, Signal, Unit};
+use ancf14::model::linear::{self, Linear, Pole};
+use ancf14::model::simulation::Simulation;
+use ancf14::model::steady::Steady;
+
+/// What a reduction has left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reduction {
+    /// States of the whole system.
+    pub whole: usize,
+    /// States that are kept exactly.
+    pub kept: usize,
+    /// The bound of the error over the largest response; none: the method has none.
+    pub bound: Option<f64>,
+    /// The largest error that responses show, over the largest response.
+    pub error: f64,
+}
+
+/// Where a linear system comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Origin {
+    /// The name of the mechanism.
+    pub model: String,
+    /// The state that the system is about.
+    pub state: String,
+    /// States.
+    pub order: usize,
+    /// None: it has all states.
+    pub reduction: Option<Reduction>,
+    /// Its poles, those with the positive imaginary part of pairs.
+    pub poles: Vec<[f64; 2]>,
+}
+
+/// A linear system as an FMU has it.
+#[derive(Clone, Debug)]
+pub struct Small {
+    /// The unit: names, GUID and variables.
+    pub unit: Unit,
+    /// The text of its file.
+    pub text: String,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+impl Small {
+    /// The unit of a linear system of `simulation`, with its poles.
+    ///
+    /// # Errors
+    /// It has too many states, or numbers that are too large.
+    pub fn new(
+        simulation: &Simulation,
+        linear: &Linear,
+        poles: &[Pole],
+        reduction: Option<Reduction>,
+    ) -> Result<Self, Error> {
+        let order = linear.states.len();
+        if order > MOST_STATES {
+            return Err(Error::States { order });
+        }
+        let model = simulation.about();
+        let state = match &linear.steady {
+            None => format!("the state at t = {} s", linear.time),
+            Some(Steady { drive, speed, .. }) => format!("the steady rotation of {drive} with {speed} rad/s"),
+        };
+        let about = About {
+            name: format!("{}, linear", model.name),
+            identifier: format!("{}_linear", model.identifier),
+            description: format!("Linear system of {} about {state}, for small motions", model.name),
+            guid: String::new(),
+            start: 0.0,
+            ..model.clone()
+        };
+        let signals = |signals: &[linear::Signal]| signals.iter().map(|own| signal(simulation, own)).collect();
+        let [a, b, c, d] = [&linear.a, &linear.b, &linear.c, &linear.d].map(|own| Matrix {
+            rows: own.rows,
+            columns: own.columns,
+            values: own.values.clone(),
+        });
+        let file = File { about, inputs: signals(&linear.inputs), outputs: signals(&linear.outputs), a, b, c, d };
+        let text = file.text();
+        let unit = Unit::load("the linear system", &text).map_err(|failure| Error::Linear(failure.message))?;
+        let poles = poles.iter().map(|pole| pole.value).collect();
+        let origin = Origin { model: model.name.clone(), state, order, reduction, poles };
+        Ok(Self { unit, text, origin })
+    }
+}
+
+/// An input or an output as the variable table of the mechanism knows it.
+fn signal(simulation: &Simulation, own: &linear::Signal) -> Signal {
+    let linear::Signal { name, unit, value } = own.clone();
+    let known = simulation.variables().iter().find(|variable| variable.name == name);
+    let Some(known) = known else {
+        let description = match name.split_once('.').filter(|(_, word)| word.contains("acceleration")) {
+            Some((part, _)) => format!(
+                "Acceleration of {part}, from which its motion follows; it begins with the position and the rate that \
+                 {part} has in the state that the system is about"
+            ),
+            None => String::new(),
+        };
+        return Signal { name, unit, description, value, ..Signal::default() };
+    };
+    Signal {
+        name,
+        unit,
+        description: known.description.clone(),
+        value,
+        min: known.min,
+        max: known.max,
+        nominal: known.nominal,
+        display_unit: known.display_unit.clone(),
+    }
+}

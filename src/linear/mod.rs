@@ -1,0 +1,300 @@
+//! A linear system as a model for FMI: what the small FMU of a reduced mechanism runs.
+//!
+//! The state moves by the matrix exponential: a step has no error but round-off, whatever its length, while inputs are
+//! constant or change linearly during it. Signals have the meaning of those of the mechanism: the values that they have
+//! in the state that the system is about are added. It begins in that state.
+//!
+//! As of the mechanism itself, outputs are those of the end of the last step, with the inputs that this step ends with:
+//! an input that is set at a communication point acts from the next step on.
+
+pub mod file;
+mod matrix;
+mod state;
+mod system;
+
+pub use self::file::{File, MOST_STATES, Signal};
+pub use self::matrix::Matrix;
+pub use self::state::State;
+
+use self::system::{Stride, System};
+use crate::fmi::variable::{Causality, Variable};
+use crate::fmi::{About, Failure, LogCategory, Model, Value};
+
+/// The shortest step, as a share of the default communication step, and of the time.
+const STEP_ROUNDING: f64 = 1e-6;
+const TIME_ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// A linear system that runs.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    about: About,
+    variables: Vec<Variable>,
+    /// Values of the inputs and of the outputs in the state that the system is about.
+    inputs: Vec<f64>,
+    outputs: Vec<f64>,
+    system: System,
+    state: State,
+    /// The state at the end of a step under way, and memory for it.
+    next: Vec<f64>,
+    ends: Vec<f64>,
+    rest: Vec<f64>,
+    changes: Vec<f64>,
+    /// Where the step ends that has begun but is not taken, s.
+    end: Option<f64>,
+}
+
+impl Unit {
+    /// Reads the text of a file, which messages call `name`.
+    ///
+    /// # Errors
+    /// It is no such file.
+    #[inline(never)]
+    pub fn load(name: &str, text: &str) -> Result<Self, Failure> {
+        Self::new(File::read(name, text)?)
+    }
+
+    /// The unit of a file that was read.
+    ///
+    /// # Errors
+    /// Its numbers are too large.
+    pub fn new(file: File) -> Result<Self, Failure> {
+        let File { about, inputs, outputs, a, b, c, d } = file;
+        let given = inputs.iter().map(|signal| signal.variable(Causality::Input, None));
+        let found = outputs.iter().enumerate().map(|(row, signal)| {
+            let found_from = (0..inputs.len()).filter(|column| d.at(row, *column) != 0.0).collect();
+            signal.variable(Causality::Output, Some(found_from))
+        });
+        let variables = given.chain(found).collect();
+        let values = |signals: &[Signal]| signals.iter().map(|signal| signal.value).collect::<Vec<f64>>();
+        let (inputs, outputs) = (values(&inputs), values(&outputs));
+        let system = System::new(a, b, c, d).ok_or_else(|| {
+            wrong(String::from("the linear system has numbers that are too large; pack the FMU again"))
+        })?;
+        let state = State::new(about.start, system.order(), &inputs, &outputs);
+        Ok(Self {
+            next: vec![0.0; system.order()],
+            rest: vec![0.0; system.order()],
+            ends: vec![0.0; inputs.len()],
+            changes: vec![0.0; inputs.len()],
+            about,
+            variables,
+            inputs,
+            outputs,
+            system,
+            state,
+            end: None,
+        })
+    }
+
+    /// The number of an input, of an output.
+    fn input(&self, reference: usize) -> Option<usize> {
+        (reference < self.inputs.len()).then_some(reference)
+    }
+
+    fn output(&self, reference: usize) -> Option<usize> {
+        reference.checked_sub(self.inputs.len()).filter(|number| *number < self.outputs.len())
+    }
+
+    fn output_named(&self, reference: usize) -> Result<usize, Failure> {
+        self.output(reference).ok_or_else(|| wrong(format!("`{}` is no output", self.variables[reference].name)))
+    }
+
+    /// Takes a step to `end`, s. Not inlined: the functions of FMI have little stack.
+    #[inline(never)]
+    fn step(&mut self, end: f64) -> Result<(), Failure> {
+        let length = end - self.state.time;
+        if length < self.shortest_step() {
+            self.state.slopes.fill(0.0);
+            return Ok(());
+        }
+        let State { z, values, slopes, .. } = &self.state;
+        difference(&mut self.changes, values, &self.inputs);
+        let stride = Stride { state: z, inputs: &self.changes, rates: slopes, length };
+        let taken = self.system.step(stride, [&mut self.next, &mut self.ends, &mut self.rest]);
+        let is_finite = taken && self.next.iter().all(|value| value.is_finite());
+        for (end, (value, slope)) in self.ends.iter_mut().zip(values.iter().zip(slopes)) {
+            *end = value + slope * length;
+        }
+        difference(&mut self.changes, &self.ends, &self.inputs);
+        let (next, changes) = (&self.next, &self.changes);
+        let result = |row: usize| self.outputs[row] + self.system.output(row, next, changes);
+        let failure = match (0..self.outputs.len()).find(|row| !result(*row).is_finite()) {
+            None if is_finite => None,
+            row => Some(row.map_or("its state", |row| self.variables[self.inputs.len() + row].name.as_str())),
+        };
+        if let Some(name) = failure {
+            let failure = wrong(format!(
+                "{name} is too large for a number at t = {end} s: the motion of a linear system that is not stable \
+                 grows without bound, or an input is far too large; end the run before, or set a reasonable value"
+            ));
+            self.state.slopes.fill(0.0);
+            return Err(failure);
+        }
+        for (row, output) in self.state.outputs.iter_mut().enumerate() {
+            *output = self.outputs[row] + self.system.output(row, &self.next, &self.changes);
+        }
+        std::mem::swap(&mut self.state.z, &mut self.next);
+        self.state.arrive(end, length, &self.ends);
+        Ok(())
+    }
+}
+
+/// `target = a − b`.
+fn difference(target: &mut [f64], a: &[f64], b: &[f64]) {
+    target.iter_mut().zip(a.iter().zip(b)).for_each(|(target, (a, b))| *target = a - b);
+}
+
+impl Model for Unit {
+    type Snapshot = State;
+
+    fn about(&self) -> &About {
+        &self.about
+    }
+
+    fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    fn value(&self, reference: usize) -> Value {
+        let value = self.input(reference).map(|number| self.state.values[number]);
+        Value::Real(value.unwrap_or_else(|| self.state.outputs[reference - self.inputs.len()]))
+    }
+
+    fn set_value(&mut self, reference: usize, value: Value) -> Result<(), Failure> {
+        let name = &self.variables[reference].name;
+        match (self.input(reference), value) {
+            (Some(number), Value::Real(value)) if value.is_finite() => self.state.values[number] = value,
+            (Some(_), Value::Real(value)) => return Err(wrong(format!("`{name}` is {value}; set a finite number"))),
+            (Some(_), Value::Integer(_)) => return Err(wrong(format!("`{name}` is a Real, not an Integer"))),
+            (None, _) => return Err(wrong(format!("`{name}` is a result and cannot be set"))),
+        }
+        Ok(())
+    }
+
+    fn set_tolerance(&mut self, _tolerance: f64) -> Option<f64> {
+        None
+    }
+
+    fn set_input_derivative(&mut self, reference: usize, derivative: f64) {
+        if let Some(number) = self.input(reference) {
+            self.state.slopes[number] = derivative;
+        }
+    }
+
+    fn check(&self) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn initialize(&mut self, start: f64) -> Result<(), Failure> {
+        difference(&mut self.changes, &self.state.values, &self.inputs);
+        let zero = vec![0.0; self.system.order()];
+        let results =
+            (0..self.outputs.len()).map(|row| self.outputs[row] + self.system.output(row, &zero, &self.changes));
+        let results: Vec<f64> = results.collect();
+        if let Some(row) = results.iter().position(|result| !result.is_finite()) {
+            let name = &self.variables[self.inputs.len() + row].name;
+            return Err(wrong(format!(
+                "{name} is too large for a number: an input is far too large; set another value"
+            )));
+        }
+        self.state.begin(start, &results);
+        self.end = None;
+        Ok(())
+    }
+
+    fn time(&self) -> f64 {
+        self.state.time
+    }
+
+    fn shortest_step(&self) -> f64 {
+        f64::max(STEP_ROUNDING * self.about.output_step, TIME_ROUNDING * self.state.time.abs())
+    }
+
+    fn accept_step(&self, _end: f64) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn advance(&mut self, end: f64) -> Result<(), Failure> {
+        self.end = None;
+        self.step(end)
+    }
+
+    fn begin_step(&mut self, end: f64) -> Result<(), Failure> {
+        self.end = Some(end);
+        Ok(())
+    }
+
+    fn take_part(&mut self) -> Result<bool, Failure> {
+        self.end.take().map_or(Ok(()), |end| self.step(end)).map(|()| true)
+    }
+
+    fn look_between(&mut self) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn end_step(&mut self) -> Result<(), Failure> {
+        self.end = None;
+        Ok(())
+    }
+
+    fn output_derivative(&mut self, reference: usize) -> Result<f64, Failure> {
+        let row = self.output_named(reference)?;
+        difference(&mut self.changes, &self.state.ends, &self.inputs);
+        self.system.rate(&self.state.z, &self.changes, &mut self.rest);
+        Ok(self.system.output(row, &self.rest, &self.state.rates))
+    }
+
+    fn partial_derivative(&mut self, output: usize, input: usize) -> Result<f64, Failure> {
+        let row = self.output_named(output)?;
+        match (self.input(input), self.state.length) {
+            (None, _) => Err(wrong(String::from("results have derivatives by inputs only"))),
+            (_, None) => Ok(0.0),
+            (Some(column), Some(length)) => self
+                .system
+                .sensitivity(row, column, length)
+                .ok_or_else(|| wrong(String::from("the last step is too long for a derivative; take shorter steps"))),
+        }
+    }
+
+    fn initial_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure> {
+        let row = self.output_named(unknown)?;
+        let column = self.input(known).ok_or_else(|| wrong(String::from("results have derivatives by inputs only")))?;
+        Ok(self.system.direct().at(row, column))
+    }
+
+    fn conclude(&mut self) {}
+
+    fn take_warnings(&mut self) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn reset(&mut self) {
+        self.state = State::new(self.about.start, self.system.order(), &self.inputs, &self.outputs);
+        self.end = None;
+    }
+
+    fn snapshot(&self) -> State {
+        self.state.clone()
+    }
+
+    fn restore(&mut self, snapshot: &State) {
+        self.state.clone_from(snapshot);
+        self.end = None;
+    }
+
+    fn write(&self, snapshot: &State, bytes: Vec<u8>) -> Vec<u8> {
+        snapshot.write(bytes)
+    }
+
+    fn read(&self, bytes: &[u8]) -> Result<State, Failure> {
+        let state = State::read(bytes).map_err(wrong)?;
+        match state.has_the_shape_of(&self.state) {
+            true => Ok(state),
+            false => Err(wrong(String::from("the state belongs to a linear system of another shape"))),
+        }
+    }
+}
+
+fn wrong(message: String) -> Failure {
+    Failure { message, category: LogCategory::StatusError, line: None }
+}

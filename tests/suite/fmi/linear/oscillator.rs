@@ -1,0 +1,181 @@
+//! Are the steps of a linear unit exact? A damped oscillator has a closed form for inputs that are constant or change
+//! linearly.
+
+use super::{OMEGA, U0, Y0, ZETA, begun, oscillator, outputs};
+use crate::random::Random;
+use crate::support::allocations;
+use ancf14::fmi::variable::Causality;
+use ancf14::fmi::{Model, Value};
+use ancf14::linear::{File, Unit};
+
+/// Position and rate after `h` s, from `x` and `v`, with the input `u + s t`.
+fn moved([x, v]: [f64; 2], u: f64, s: f64, h: f64) -> [f64; 2] {
+    let (decay, omega) = (ZETA * OMEGA, OMEGA * (1.0 - ZETA * ZETA).sqrt());
+    // The particular solution p + q t, and the rest, which vibrates.
+    let q = s / OMEGA.powi(2);
+    let p = (u - 2.0 * decay * q) / OMEGA.powi(2);
+    let (a, b) = (x - p, (v - q + decay * (x - p)) / omega);
+    let (fade, (sin, cos)) = ((-decay * h).exp(), (omega * h).sin_cos());
+    let swing = a * cos + b * sin;
+    let rate = omega * (b * cos - a * sin) - decay * swing;
+    [p + q * h + fade * swing, q + fade * rate]
+}
+
+/// Two hundred steps of 1e-4 s to 10 s, a new length each, with inputs that ramp: the errors are a few round-offs of
+/// numbers of size 1 a step.
+#[test]
+fn steps_of_any_length_are_exact() {
+    let mut instance = begun(oscillator());
+    assert_eq!(outputs::<3>(&mut instance, 1), Y0, "it begins in its state");
+    let mut random = Random(1);
+    let (mut time, mut state) = (0.0, [0.0; 2]);
+    let mut worst: f64 = 0.0;
+    for _ in 0..200 {
+        let step = 10.0_f64.powf(2.5 * random.signed() - 1.5);
+        let (value, slope) = (random.signed(), random.signed() / step);
+        instance.set_real(&[0], &[U0 + value]).unwrap();
+        instance.set_real_input_derivatives(&[0], &[1], &[slope]).unwrap();
+        instance.do_step(time, step).unwrap();
+        let taken = (time + step) - time;
+        state = moved(state, value, slope, taken);
+        time += step;
+        let end = value + slope * taken;
+        let acceleration = end - 2.0 * ZETA * OMEGA * state[1] - OMEGA.powi(2) * state[0];
+        let found = outputs::<3>(&mut instance, 1);
+        let errors = found.iter().zip(Y0).zip([state[0], state[1], acceleration]);
+        worst = errors.map(|((found, offset), exact)| (found - offset - exact).abs()).fold(worst, f64::max);
+    }
+    println!("largest error {worst:.1e}");
+    // Slopes of up to 1e4/s are multiplied by steps whose round-off is that of the time, 1e-13 s.
+    assert!(worst < 1e-9, "{worst:.1e}");
+}
+
+/// A derivative of an input is for one step.
+#[test]
+fn ramps_last_for_one_step() {
+    let mut instance = begun(oscillator());
+    instance.set_real_input_derivatives(&[0], &[1], &[2.0]).unwrap();
+    instance.do_step(0.0, 0.25).unwrap();
+    instance.do_step(0.25, 0.25).unwrap();
+    let first = moved([0.0; 2], 0.0, 2.0, 0.25);
+    let second = moved(first, 0.0, 0.0, 0.25);
+    let found = outputs::<2>(&mut instance, 1);
+    assert!((found[0] - Y0[0] - second[0]).abs() < 1e-15, "{found:?} {second:?}");
+    assert!((found[1] - Y0[1] - second[1]).abs() < 1e-14, "{found:?} {second:?}");
+}
+
+/// A host that adds up its time asks for lengths that differ by round-off. One set of matrices serves all of them, no
+/// memory is asked for, and the error stays that of the time: a length that is a third of a millisecond would
+/// otherwise be off by up to 5e-10 of itself, and the phase after 33 s by 1e-7.
+#[test]
+fn lengths_that_differ_by_round_off_are_one() {
+    let mut instance = begun(oscillator());
+    let step = 1e-3 / 3.0;
+    instance.set_real(&[0], &[U0 + 1.0]).unwrap();
+    instance.do_step(0.0, step).unwrap();
+    let mut time = step;
+    let asked = allocations::count(|| {
+        for _ in 1..100_000 {
+            instance.do_step(time, step).unwrap();
+            time += step;
+        }
+    });
+    assert_eq!(asked, 0);
+    let exact = moved([0.0; 2], 1.0, 0.0, time);
+    let found = outputs::<2>(&mut instance, 1);
+    let error = (found[0] - Y0[0] - exact[0]).abs() * OMEGA.powi(2);
+    println!("error after {time} s: {error:.1e}");
+    // 1e5 steps with a few round-offs of 1e-16 each, as a random walk.
+    assert!(error < 1e-12, "{error:.1e}");
+}
+
+/// Far larger rates than motions, and a step of many periods: 1e5 doublings less than without balanced coordinates.
+#[test]
+fn stiff_systems_in_odd_units_are_exact() {
+    let (omega, unit) = (1e6_f64, 2.0_f64.powi(40));
+    let mut file = oscillator();
+    file.a = super::matrix(&[[0.0, unit], [-omega * omega / unit, -2e-3 * omega]]);
+    file.b = super::matrix(&[[0.0], [1.0 / unit * unit]]);
+    file.c = super::matrix(&[[1.0, 0.0], [0.0, unit], [0.0, 0.0]]);
+    let mut instance = begun(file);
+    // Nothing vibrates any more after a second: the static answer is left.
+    instance.set_real(&[0], &[U0 + 1.0]).unwrap();
+    instance.do_step(0.0, 1.0).unwrap();
+    let found = outputs::<1>(&mut instance, 1)[0] - Y0[0];
+    let exact = unit / (omega * omega);
+    assert!((found / exact - 1.0).abs() < 1e-9, "{found:e} {exact:e}");
+}
+
+/// Derivatives of outputs by time and by inputs, at the end of a step and in the initial state.
+#[test]
+fn derivatives_are_exact() {
+    let mut instance = begun(oscillator());
+    instance.set_real(&[0], &[U0 + 0.7]).unwrap();
+    instance.set_real_input_derivatives(&[0], &[1], &[0.4]).unwrap();
+    instance.do_step(0.0, 0.3).unwrap();
+    let found = outputs::<3>(&mut instance, 1);
+    let mut rates = [f64::NAN; 3];
+    instance.get_real_output_derivatives(&[1, 2, 3], &[1; 3], &mut rates).unwrap();
+    let [velocity, acceleration] = [found[1] - Y0[1], found[2] - Y0[2]];
+    let jerk = 0.4 - 2.0 * ZETA * OMEGA * acceleration - OMEGA.powi(2) * velocity;
+    for (rate, exact) in rates.into_iter().zip([velocity, acceleration, jerk]) {
+        assert!((rate - exact).abs() < 1e-14 * OMEGA.powi(3), "{rate} {exact}");
+    }
+    let mut changes = [f64::NAN; 3];
+    instance.directional_derivative(&[1, 2, 3], &[0], &[1.0], &mut changes).unwrap();
+    // The motion is linear: it is that of an input of 1.
+    let [x, v] = moved([0.0; 2], 1.0, 0.0, 0.3);
+    for (change, exact) in changes.into_iter().zip([x, v, 1.0 - 2.0 * ZETA * OMEGA * v - OMEGA.powi(2) * x]) {
+        assert!((change - exact).abs() < 1e-15, "{change} {exact}");
+    }
+    let mut adjoint = [f64::NAN];
+    instance.adjoint_derivative(&[1, 2], &[0], &[1.0, -3.0], &mut adjoint).unwrap();
+    assert!((adjoint[0] - (x - 3.0 * v)).abs() < 1e-15, "{adjoint:?}");
+
+    instance.reset().unwrap();
+    assert_eq!(outputs::<3>(&mut instance, 1), Y0, "start values");
+    instance.setup_experiment(None, 2.0, None).unwrap();
+    instance.enter_initialization_mode().unwrap();
+    instance.set_real(&[0], &[U0 + 0.25]).unwrap();
+    assert_eq!(outputs::<3>(&mut instance, 1), [Y0[0], Y0[1], Y0[2] + 0.25], "the input acts at once at the start");
+    instance.directional_derivative(&[1, 2, 3], &[0], &[1.0], &mut changes).unwrap();
+    assert_eq!(changes, [0.0, 0.0, 1.0]);
+    instance.exit_initialization_mode().unwrap();
+    assert_eq!(instance.time(), 2.0);
+    instance.directional_derivative(&[1, 2, 3], &[0], &[1.0], &mut changes).unwrap();
+    assert_eq!(changes, [0.0; 3], "no step has been taken");
+}
+
+/// The variable table is that of the file, and initial values depend on what `D` has entries for.
+#[test]
+fn variables_are_those_of_the_file() {
+    let file = oscillator();
+    let unit = Unit::load("linear.toml", &file.text()).unwrap();
+    let variables = unit.variables();
+    assert_eq!(variables.len(), 4);
+    assert_eq!((variables[0].causality, variables[0].start), (Causality::Input, Value::Real(U0)));
+    let found_from: Vec<_> = variables[1..].iter().map(|variable| variable.found_from.clone().unwrap()).collect();
+    assert_eq!(found_from, [vec![], vec![], vec![0]]);
+    assert_eq!(unit.about().name, file.about.name, "the text keeps every character");
+    let read = File::read("linear.toml", &file.text()).unwrap();
+    assert_eq!((&read.a, &read.b, &read.c, &read.d), (&file.a, &file.b, &file.c, &file.d), "and every digit");
+    assert_eq!((&read.inputs, &read.outputs), (&file.inputs, &file.outputs));
+}
+
+/// A motion that grows ends with a sentence, and the state before can be read and left.
+#[test]
+fn unstable_systems_end_with_an_error() {
+    let mut file = oscillator();
+    file.a = super::matrix(&[[30.0, 0.0], [0.0, 20.0]]);
+    file.b = super::matrix(&[[1.0], [1.0]]);
+    let mut instance = begun(file);
+    instance.set_real(&[0], &[U0 + 1.0]).unwrap();
+    instance.do_step(0.0, 1.0).unwrap();
+    let before = outputs::<3>(&mut instance, 1);
+    let state = instance.state().unwrap();
+    let error = instance.do_step(1.0, 100.0).unwrap_err().to_string();
+    assert!(error.contains("is too large for a number at t = 101 s"), "{error}");
+    assert_eq!(outputs::<3>(&mut instance, 1), before);
+    instance.set_state(&state).unwrap();
+    instance.do_step(1.0, 0.1).unwrap();
+}
