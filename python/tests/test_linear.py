@@ -1,6 +1,7 @@
 """Is a linear system that of the closed form, and do its files have the same numbers?"""
 
 import json
+import zipfile
 from pathlib import Path
 
 import ancf14
@@ -141,6 +142,13 @@ def test_reduced_systems(tmp_path: Path) -> None:
         assert abs(response(small, omega) - response(whole, omega)) <= 1e-3 * peak
     assert len(whole.reduce(order=4, method="modal").states) == 4
     assert len(np.load(small.save(tmp_path / "small.npz"))["A"]) == len(small.states)
+    for fmi, word in [(2, "guid"), (3, "instantiationToken")]:
+        with zipfile.ZipFile(small.pack(tmp_path / "small.fmu", fmi=fmi)) as archive:
+            assert word in archive.read("modelDescription.xml").decode() and len(archive.read("resources/linear.toml")) > 500
+    with pytest.raises(ancf14.CallError, match="ends in .fmu"):
+        small.pack(tmp_path / "small.zip")
+    with pytest.raises(ancf14.CallError, match="fmi is 2 or 3, not 1"):
+        small.pack(tmp_path / "small.fmu", fmi=1)
     with pytest.raises(ancf14.Error, match="reduced already"):
         small.reduce()
     with pytest.raises(ancf14.CallError, match="exclude each other"):

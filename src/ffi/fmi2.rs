@@ -70,8 +70,8 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
     }
 }
 
-/// Loads the model in `resources` and makes an instance of it; NULL with a log line if that is not possible
-/// (section 2.1.5).
+/// Loads the model of the resources, `resources/model.toml` or `resources/linear.toml`, and makes an instance of it;
+/// NULL with a log line if that is not possible (section 2.1.5).
 ///
 /// # Safety
 /// The texts end with a zero byte, `functions` holds functions that can be called as long as the instance lives.

@@ -66,8 +66,8 @@ pub unsafe extern "C" fn fmi3SetDebugLogging(
     }
 }
 
-/// Loads the model in `resources` and makes an instance of it; NULL with a log line if that is not possible (section
-/// 2.3.1).
+/// Loads the model of the resources, `resources/model.toml` or `resources/linear.toml`, and makes an instance of it;
+/// NULL with a log line if that is not possible (section 2.3.1).
 ///
 /// # Safety
 /// The texts end with a zero byte; `requiredIntermediateVariables` has `nRequiredIntermediateVariables` elements; the

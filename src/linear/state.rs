@@ -22,7 +22,7 @@ pub struct State {
 }
 
 impl State {
-    /// At rest, with these inputs and results.
+    /// A state at rest, with these inputs and results.
     pub(super) fn new(time: f64, order: usize, inputs: &[f64], outputs: &[f64]) -> Self {
         let slopes = vec![0.0; inputs.len()];
         Self {

@@ -134,7 +134,7 @@ impl System {
 }
 
 impl Step {
-    /// By the series of a short step, which is doubled; none: a number is not finite. Not inlined: it is rare, and
+    /// Sums the series of a short step and doubles it; none: a number is not finite. Not inlined: it is rare, and
     /// callers that are not have little stack.
     #[inline(never)]
     fn new(a: &Matrix, b: &Matrix, norm: f64, length: f64) -> Option<Self> {

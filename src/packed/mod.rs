@@ -18,12 +18,12 @@ pub enum Packed {
     Linear(Box<linear::Unit>),
 }
 
-/// What changes between two calls of a model of either kind.
+/// The state of a model of either kind between two calls.
 #[derive(Clone, Debug)]
 pub enum Snapshot {
-    /// Of a mechanism.
+    /// The state of a mechanism.
     Mechanism(Box<simulation::Snapshot>),
-    /// Of a linear system.
+    /// The state of a linear system.
     Linear(Box<linear::State>),
 }
 
@@ -55,14 +55,14 @@ impl Packed {
     /// Reads a linear system.
     ///
     /// # Errors
-    /// What is wrong with the file.
+    /// The file is wrong.
     #[inline(never)]
     pub fn linear(name: &str, text: &str) -> Result<Self, Failure> {
         Ok(Self::Linear(Box::new(linear::Unit::load(name, text)?)))
     }
 }
 
-/// Asks the model of either kind.
+/// Asks a model of either kind.
 macro_rules! ask {
     ($packed:expr, $model:ident => $answer:expr) => {
         match $packed {

@@ -19,9 +19,9 @@ material.steel = { young = 2.1e11, poisson = 0.3, density = 7850, damping = 1e-3
 section.rod = { shape = "rectangle", width = 0.02, height = 0.01 }
 beam.arm = { material = "steel", section = "rod", from = [0, 0, 0], to = [1, 0, 0], elements = 8 }
 joint.root = { type = "weld", a = "ground", b = "arm.start" }
-load.push = { at = "arm.end", force = [0, 0, 5], input = true }
+load.push = { at = "arm.end", force = [0, 0, 1], input = true }
 output.tip = { at = "arm.end", quantities = ["position", "acceleration"] }
-simulation = { initial = "equilibrium", stop = 0.4, step = 1e-3, output_step = 1e-3 }
+simulation = { initial = "equilibrium", stop = 0.4, step = 2.5e-4, output_step = 1e-3 }
 """
 INPUT, OUTPUT = "push.force[3]", "tip.position[3]"
 
@@ -33,14 +33,14 @@ def folder(tmp_path_factory) -> Path:
     source.write_text(ARM)
     run("pack", source, "-o", folder / "full.fmu")
     for fmi in ("2", "3"):
-        run("reduce", source, "--inputs", INPUT, "--outputs", "tip.position[3],tip.acceleration[3]", "--order", "8", "--fmi", fmi, "-o", folder / f"small{fmi}.fmu")
+        run("reduce", source, "--inputs", INPUT, "--outputs", "tip.position[3],tip.acceleration[3]", "--error", "0.01%", "--fmi", fmi, "-o", folder / f"small{fmi}.fmu")
     return folder
 
 
 def simulate(fmu):
     times = np.linspace(0, 0.4, 401)
     push = np.zeros(401, dtype=[("time", float), (INPUT, float)])
-    push["time"], push[INPUT] = times, 5 + 17 * (1 - np.cos(30 * times)) / 2
+    push["time"], push[INPUT] = times, 1 + 12 * (1 - np.cos(30 * times)) / 2
     return simulate_fmu(str(fmu), start_time=0.0, stop_time=0.4, output_interval=1e-3, input=push, output=[OUTPUT], fmi_type="CoSimulation")
 
 
@@ -48,8 +48,8 @@ def test_it_moves_as_the_mechanism(folder):
     full, small = (simulate(folder / name)[OUTPUT] for name in ("full.fmu", "small2.fmu"))
     moved = np.max(np.abs(full - full[0]))
     assert 0.015 < moved < 0.02
-    # The square of the slope, 0.3 %.
-    assert np.max(np.abs(small - full)) < 3e-3 * moved
+    # The square of the slope, 2.5e-4, and a few 1e-4 more from the reduction and the steps of the mechanism.
+    assert np.max(np.abs(small - full)) < 1e-3 * moved
 
 
 def test_both_versions_are_one(folder):
@@ -59,7 +59,7 @@ def test_both_versions_are_one(folder):
 
 def test_it_begins_in_the_state_of_the_mechanism(folder):
     start = {variable.name: variable.start for variable in read_model_description(str(folder / "small2.fmu")).modelVariables}
-    assert start[INPUT] == "5.0"
+    assert start[INPUT] == "1.0"
     small, full = (simulate_fmu(str(folder / name), stop_time=0.1, output=[OUTPUT])[OUTPUT] for name in ("small2.fmu", "full.fmu"))
     assert np.ptp(small) == 0 and abs(small[0] - full[0]) < 1e-12
 

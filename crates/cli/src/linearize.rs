@@ -1,6 +1,6 @@
 //! `linearize`: the matrices of a mechanism about a state, as a file for control toolboxes, and its poles as a table.
 
-use super::small::{Packing, Target};
+use super::linear_file::{Packing, Target};
 use super::{ModelArguments, Stop, complain, failed, say, start, voice};
 use ancf14::fmi::Model;
 use ancf14::model::entries::simulation::{Analysis, Initial, Steps};
@@ -111,31 +111,6 @@ fn names(text: &str) -> Result<Names, String> {
         }
     }
     Ok(Names(names.iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect()))
-}
-
-/// The kinds of files.
-#[derive(Clone, Copy, Debug)]
-pub enum Format {
-    Npz,
-    Mat,
-    Json,
-    Fmu,
-}
-
-impl Format {
-    /// The kind that the ending of a file names.
-    pub fn of(path: &Path) -> Result<Self, Stop> {
-        match path.extension().and_then(|extension| extension.to_str()) {
-            Some("npz") => Ok(Self::Npz),
-            Some("mat") => Ok(Self::Mat),
-            Some("json") => Ok(Self::Json),
-            Some("fmu") => Ok(Self::Fmu),
-            _ => Err(Stop::Bad(format!(
-                "error: {} has no ending that says what it is; give a file that ends in .npz, .mat, .json or .fmu",
-                path.display()
-            ))),
-        }
-    }
 }
 
 /// The model, which begins where it is to be linearized.

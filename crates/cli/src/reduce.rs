@@ -1,7 +1,7 @@
 //! `reduce`: the linear system of a mechanism with fewer states, as a file.
 
+use super::linear_file::{Packing, Target};
 use super::linearize::{self, Place};
-use super::small::{Packing, Target};
 use super::{ModelArguments, Stop, failed, say, voice};
 use ancf14::fmi::Model;
 use ancf14::model::reduced::{Method, Reduced, Size};

@@ -165,6 +165,9 @@ const COUPLING: [[&str; 4]; 5] = [
     ],
 ];
 
+/// How C programs get the names of the variables of a model file.
+const HEADER: &str = "<p><code>ancf14 header model.toml -o model.h</code> writes names for the GUID or token and the references below.</p>\n";
+
 /// The page of a unit of a version of the standard.
 pub fn html(standard: Standard, about: &About, variables: &[Variable], contents: &Contents<'_>) -> String {
     let mut out = String::new();
@@ -233,7 +236,7 @@ fn write_page(
         documentation_linear::write(out, origin, variables)?;
         list(out, "How it behaves", &documentation_linear::behavior(standard))?;
         list(out, "Units, axes, signs", &SIGNS.map(str::to_owned))?;
-        return write_end(out, standard, about, variables);
+        return write_end(out, standard, about, variables, "");
     }
     list(out, "How it behaves", &behavior(standard))?;
     match standard {
@@ -267,12 +270,19 @@ fn write_page(
         "<p>The choice is the model file's, for each end by itself. Masters that repeat a step take an FMU state before it; the directional \
          derivatives of the step are the interface Jacobian that they iterate with.</p>"
     )?;
-    write_end(out, standard, about, variables)
+    write_end(out, standard, about, variables, HEADER)
 }
 
 /// What all pages end with: hosts, variables, who made it.
-fn write_end(out: &mut String, standard: Standard, about: &About, variables: &[Variable]) -> Result<(), Error> {
+fn write_end(
+    out: &mut String,
+    standard: Standard,
+    about: &About,
+    variables: &[Variable],
+    header: &str,
+) -> Result<(), Error> {
     hosts(out, standard, about, variables)?;
+    out.push_str(header);
     let rows = rows_of(standard, variables);
     for group in &GROUPS {
         table(out, standard, group, &rows, variables)?;
@@ -358,16 +368,14 @@ fn hosts(out: &mut String, standard: Standard, about: &About, variables: &[Varia
             out,
             "<pre>c = fmi2Instantiate(\"{identifier}\", fmi2CoSimulation, \"{guid}\",\n\
              \x20                   \"file:///path/to/resources\", &amp;callbacks, fmi2False, fmi2False);\nfmi2SetupExperiment(c, fmi2False, 0.0, {start:?}, fmi2True, {stop:?});\nfmi2EnterInitializationMode(c);\n\
-             fmi2ExitInitializationMode(c);\nfmi2DoStep(c, {start:?}, {step:?}, fmi2True);</pre>\n\
-             <p><code>ancf14 header model.toml -o model.h</code> writes names for the GUID and the references below.</p>",
+             fmi2ExitInitializationMode(c);\nfmi2DoStep(c, {start:?}, {step:?}, fmi2True);</pre>",
         ),
         Standard::Fmi3 => writeln!(
             out,
             "<pre>c = fmi3InstantiateCoSimulation(\"{identifier}\", \"{guid}\",\n\
              \x20                               \"/path/to/resources/\", fmi3False, fmi3True, fmi3False, fmi3False,\n\
              \x20                               NULL, 0, NULL, log_message, NULL);\nfmi3EnterInitializationMode(c, fmi3False, 0.0, {start:?}, fmi3True, {stop:?});\n\
-             fmi3ExitInitializationMode(c);\nfmi3DoStep(c, {start:?}, {step:?}, fmi3True, &amp;event, &amp;end, &amp;early, &amp;time);</pre>\n\
-             <p><code>ancf14 header model.toml -o model.h</code> writes names for the token (as the GUID) and the references below.</p>",
+             fmi3ExitInitializationMode(c);\nfmi3DoStep(c, {start:?}, {step:?}, fmi3True, &amp;event, &amp;end, &amp;early, &amp;time);</pre>",
         ),
     }
 }

@@ -64,13 +64,13 @@ pub fn write(out: &mut String, origin: &Origin, variables: &[Variable]) -> Resul
     }
     writeln!(
         out,
-        "</table>\n<h3>Poles</h3>\n<table>\n<tr><th>Frequency Hz</th><th>Damping ratio</th><th>Real 1/s</th></tr>"
+        "</table>\n<h3>Poles of the linear system</h3>\n<table>\n<tr><th>Frequency Hz</th><th>Damping ratio</th><th>Real 1/s</th></tr>"
     )?;
     for [real, imaginary] in poles.iter().take(POLES) {
         let size = real.hypot(*imaginary);
         let ratio = if size > 0.0 { format!("{:.4}", -real / size) } else { String::new() };
         let frequency = size / std::f64::consts::TAU;
-        writeln!(out, "<tr><td>{frequency:.6}</td><td>{ratio}</td><td>{real:.6e}</td></tr>")?;
+        writeln!(out, "<tr><td>{frequency:.6}</td><td>{ratio}</td><td>{real:.4}</td></tr>")?;
     }
     let more = poles.len().saturating_sub(POLES);
     let more = if more > 0 { format!("<p>And {more} faster ones.</p>") } else { String::new() };

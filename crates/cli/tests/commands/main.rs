@@ -17,6 +17,7 @@ mod programs;
 mod refined_runs;
 mod same_results;
 mod shells;
+mod small_fmu;
 mod stages;
 mod summary;
 mod tune_command;

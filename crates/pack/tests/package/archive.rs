@@ -13,6 +13,7 @@ use ancf14::fmi::location::{CARGO_LIBRARY, LIBRARY};
 use ancf14_pack::contents::Contents;
 use ancf14_pack::libraries::{Platform, find_library, find_others, read};
 use ancf14_pack::package::fmu;
+use ancf14_pack::small::{Origin, Reduction};
 use ancf14_testing::toy;
 use zip::{CompressionMethod, ZipArchive};
 
@@ -50,6 +51,43 @@ fn states_are_packed() {
         assert_eq!(content("resources/start.state"), b"bytes");
         let description = String::from_utf8(content("modelDescription.xml")).unwrap();
         assert!(description.contains("startTime=\"0.5\""), "{description}");
+    }
+}
+
+/// A linear system has a file of its own instead of a model file, and its page says where it comes from.
+#[test]
+fn linear_systems_are_packed() {
+    let reduction = Reduction { whole: 226, kept: 2, bound: Some(1.25e-3), error: 1e-3 };
+    let origin = Origin {
+        model: String::from("A & B"),
+        state: String::from("the state at t = 0 s"),
+        order: 8,
+        reduction: Some(reduction),
+        poles: vec![[0.0, 0.0], [-1.0, 2.0 * std::f64::consts::PI]],
+    };
+    let contents = Contents { linear: Some(&origin), ..CONTENTS };
+    for standard in [Standard::Fmi2, Standard::Fmi3] {
+        let fmu = fmu(standard, &toy::about(), &toy::variables(), &contents, &[(Platform::Linux64, vec![7])]).unwrap();
+        let mut archive = ZipArchive::new(Cursor::new(fmu)).unwrap();
+        let mut content = |name: &str| {
+            let mut text = String::new();
+            archive.by_name(name).unwrap().read_to_string(&mut text).unwrap();
+            text
+        };
+        assert_eq!(content("resources/linear.toml"), MODEL);
+        let page = content("documentation/index.html");
+        for words in [
+            "The linear system of A &amp; B about the state at t = 0 s",
+            "reduced from 226 states to 8, 2 of them kept exactly",
+            "at most 1.3e-3 of the largest response",
+            "<td>0.000000</td><td></td>",
+            "<td>1.012586</td><td>0.1572</td>",
+            "small motions",
+        ] {
+            assert!(page.contains(words), "{words}\n{page}");
+        }
+        assert!(!page.contains("Coupling with other units"));
+        assert!(archive.by_name("resources/model.toml").is_err());
     }
 }
 

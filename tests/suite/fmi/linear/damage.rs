@@ -28,7 +28,7 @@ const EXTREMES: [&str; 16] = [
 
 fn spoilt(text: &str, random: &mut Random) -> String {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-    for _ in 0..=random.below(3) {
+    for _ in 0..=random.below(2) {
         let number = random.below(lines.len());
         match random.below(5) {
             0 => drop(lines.remove(number)),
@@ -45,7 +45,7 @@ fn spoilt(text: &str, random: &mut Random) -> String {
                 let words: Vec<&str> = lines[number].split_inclusive([' ', ',', '[']).collect();
                 let at = random.below(words.len().max(1));
                 let extreme = EXTREMES[random.below(EXTREMES.len())];
-                let words = words.iter().enumerate().map(|(place, word)| if place == at { extreme } else { *word });
+                let words = words.iter().enumerate().map(|(index, word)| if index == at { extreme } else { *word });
                 lines[number] = words.collect::<Vec<_>>().join("");
             }
         }

@@ -1,6 +1,7 @@
 //! Linear systems as units: what the small FMU of a reduced mechanism computes.
 
 mod damage;
+mod loading;
 mod mechanism;
 mod oscillator;
 mod states;

@@ -4,6 +4,7 @@ use super::{U0, begun, oscillator, outputs};
 use crate::random::Random;
 use ancf14::fmi::instance::Instance;
 use ancf14::fmi::lifecycle::Call;
+use ancf14::model::simulation::Simulation;
 use ancf14::packed::Packed;
 
 /// Five steps with other lengths and inputs.
@@ -58,6 +59,12 @@ fn foreign_states_are_refused() {
     let mut other = begun(file);
     assert!(other.deserialize(&bytes).is_err());
     assert!(other.set_state(&state).is_err());
+    let mechanism = Simulation::load("model.toml", crate::fmi::ffi::MODEL, &[]).unwrap();
+    let mut mechanism = Instance::new(Packed::Mechanism(Box::new(mechanism)), false);
+    let own = mechanism.serialize(Call::SerializeFMUstate, &mechanism.state().unwrap()).unwrap();
+    assert!(mechanism.set_state(&state).is_err() && instance.deserialize(&own).is_err());
+    let foreign = mechanism.serialize(Call::SerializeFMUstate, &state).unwrap();
+    assert_eq!(foreign, bytes, "a host may have a state written by another unit");
     for count in 0..bytes.len() {
         assert!(instance.deserialize(&bytes[..count]).is_err(), "{count} bytes");
     }

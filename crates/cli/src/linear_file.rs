@@ -1,7 +1,6 @@
 //! The file of a linear system: matrices, or a small FMU.
 
 use super::export::{self, Libraries, Look};
-use super::linearize::Format;
 use super::{Stop, output};
 use ancf14::fmi::Model;
 use ancf14::fmi::lifecycle::Standard;
@@ -12,6 +11,31 @@ use ancf14_pack::package;
 use ancf14_pack::small::{Reduction, Small};
 use ancf14_report::matrices::System;
 use std::path::{Path, PathBuf};
+
+/// The kinds of files.
+#[derive(Clone, Copy, Debug)]
+enum Format {
+    Npz,
+    Mat,
+    Json,
+    Fmu,
+}
+
+impl Format {
+    /// The kind that the ending of a file names.
+    fn of(path: &Path) -> Result<Self, Stop> {
+        match path.extension().and_then(|extension| extension.to_str()) {
+            Some("npz") => Ok(Self::Npz),
+            Some("mat") => Ok(Self::Mat),
+            Some("json") => Ok(Self::Json),
+            Some("fmu") => Ok(Self::Fmu),
+            _ => Err(Stop::Bad(format!(
+                "error: {} has no ending that says what it is; give a file that ends in .npz, .mat, .json or .fmu",
+                path.display()
+            ))),
+        }
+    }
+}
 
 /// What an FMU needs.
 #[derive(clap::Args, Clone, Debug)]
