@@ -1,13 +1,14 @@
 //! `linearize`: the matrices of a mechanism about a state, as a file for control toolboxes, and its poles as a table.
 
 use super::linear_file::{Packing, Target};
-use super::{ModelArguments, Stop, complain, failed, say, start, voice};
+use super::{ModelArguments, Stop, complain, failed, output, say, start, voice};
 use ancf14::fmi::Model;
 use ancf14::model::entries::simulation::{Analysis, Initial, Steps};
 use ancf14::model::linear::{Linear, Pole, PoleKind, Signal};
 use ancf14::model::simulation::Simulation;
 use ancf14::model::simulation::pole_check::STEPS;
 use ancf14::model::steady::{Frame, Spin, Steady};
+use ancf14_report::bode;
 use ancf14_report::matrices::{System, word};
 use ancf14_report::numbers::significant;
 use serde_json::{Value, json};
@@ -25,6 +26,12 @@ pub struct Wishes {
     /// Compare the softest vibration with a run of 20 periods that begins with it
     #[arg(long, conflicts_with = "steady")]
     check: bool,
+    /// Draw Bode's diagram of the responses of the outputs to the inputs, as SVG
+    #[arg(long, value_name = "FILE")]
+    bode: Option<PathBuf>,
+    /// Its frequencies, Hz, as in 0.1:100 [default: about the softest vibrations]
+    #[arg(long, value_name = "FROM:TO", value_parser = frequencies, requires = "bode")]
+    frequencies: Option<[f64; 2]>,
     /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, .json, or .fmu for a small FMU
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -92,6 +99,12 @@ fn at(text: &str) -> Result<At, String> {
     }
 }
 
+fn frequencies(text: &str) -> Result<[f64; 2], String> {
+    let ends = text.split_once(':').and_then(|(from, to)| Some([from.trim().parse().ok()?, to.trim().parse().ok()?]));
+    let ends = ends.filter(|[from, to]: &[f64; 2]| *from > 0.0 && from < to && to.is_finite());
+    ends.ok_or_else(|| "two frequencies above 0 in Hz were expected, the lower one first, as in 0.1:100".to_owned())
+}
+
 fn steady(text: &str) -> Result<Turn, String> {
     let parts = text.rsplit_once('=').and_then(|(drive, speed)| Some((drive, speed.trim().parse::<f64>().ok()?)));
     let parts = parts.filter(|(drive, speed)| !drive.trim().is_empty() && speed.is_finite());
@@ -157,8 +170,12 @@ pub fn find(model: &ModelArguments, place: &Place) -> Result<(Simulation, Linear
 
 /// Linearizes, and writes what is asked for.
 pub fn linearize(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -> Result<(), Stop> {
-    let output = wishes.output.as_deref();
-    let target = output.map(|path| Target::new(path, &wishes.packing, model.input(), program)).transpose()?;
+    let file = wishes.output.as_deref();
+    let target = file.map(|path| Target::new(path, &wishes.packing, model.input(), program)).transpose()?;
+    if let Some(path) = &wishes.bode {
+        output::spare(&[model.input()], std::slice::from_ref(path))?;
+        output::try_out(path)?;
+    }
     let (simulation, found) = find(model, &wishes.place)?;
     let prints = wishes.poles.is_some() || wishes.output.is_none();
     let poles = match found.poles(&simulation) {
@@ -173,6 +190,13 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>
     let system = System { linear: &found, poles: &poles, model: &name, version: env!("CARGO_PKG_VERSION") };
     if let Some(target) = target {
         target.write(&simulation, &system, None)?;
+    }
+    if let Some(path) = &wishes.bode {
+        let range = wishes.frequencies.map(|ends| ends.map(|hertz| TAU * hertz));
+        let responses = found.responses(&simulation, range).map_err(|failure| failed(&simulation, &failure))?;
+        let picture = bode::svg(&found, &responses, &name);
+        let picture = picture.map_err(|reason| Stop::Failed(format!("error: cannot draw the diagram: {reason}")))?;
+        output::write(path, picture.as_bytes())?;
     }
     let checked = if wishes.check { Some(check(model, wishes.place.at, &found, &poles)?) } else { None };
     if voice::is_json() {

@@ -1,5 +1,6 @@
 //! A chart as an SVG picture: lines and dots over two axes, ticks that can be read, a legend beside it.
 
+use crate::numbers::trimmed;
 use crate::panels::panels;
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -72,6 +73,9 @@ pub enum Layout {
     Shape,
     /// A panel for the lines of each size, one below the other: no line looks flat because another one is large.
     Panels,
+    /// By the logarithm of the frequency, the first half of the lines, magnitudes, above the other half, phases in
+    /// degrees.
+    Bode,
 }
 
 /// A line of a chart.
@@ -111,6 +115,10 @@ impl Chart {
         let panels = match self.layout {
             Layout::Single | Layout::Shape => vec![(0..self.lines.len()).collect()],
             Layout::Panels => panels(&self.lines.iter().map(Line::span).collect::<Vec<_>>()),
+            Layout::Bode => {
+                let half = self.lines.len() / 2;
+                vec![(0..half).collect(), (half..self.lines.len()).collect()]
+            }
         };
         let panels: Vec<Vec<&Line>> =
             panels.into_iter().map(|panel| panel.into_iter().map(|line| &self.lines[line]).collect()).collect();
@@ -128,8 +136,15 @@ impl Chart {
     fn draw(&self, root: &Area<'_>, panels: &[Vec<&Line>]) -> Result<(), Box<dyn Error>> {
         root.fill(&WHITE)?;
         if let [panel] = panels {
-            let look =
-                Look { title: &self.title, margins: [MARGIN; 2], below: BELOW, labels: 9, letters: 16, first: FIRST };
+            let look = Look {
+                title: &self.title,
+                words: &self.axes[1],
+                margins: [MARGIN; 2],
+                below: BELOW,
+                labels: 9,
+                letters: 16,
+                first: FIRST,
+            };
             self.panel(root, panel, &look)?;
         } else {
             let (mut above, mut rest) = root.split_vertically(HEAD);
@@ -144,7 +159,10 @@ impl Chart {
                     (above, rest) = rest.split_vertically(PANEL);
                 }
                 let below = if is_last { BELOW } else { BETWEEN };
-                let look = Look { title: "", margins: [BETWEEN; 2], below, labels: 5, letters: 14, first: 2 * BETWEEN };
+                let phases = self.layout == Layout::Bode && is_last;
+                let words = if phases { "phase (degrees)" } else { &self.axes[1] };
+                let margins = [BETWEEN; 2];
+                let look = Look { title: "", words, margins, below, labels: 5, letters: 14, first: 2 * BETWEEN };
                 self.panel(&above, panel, &look)?;
             }
         }
@@ -159,7 +177,7 @@ impl Chart {
         let (width, height) = (across.1 - across.0, along.1 - along.0);
         let is_inner = look.below < BELOW;
         let mut builder = ChartBuilder::on(&left);
-        if !look.title.is_empty() || self.layout != Layout::Panels {
+        if !look.title.is_empty() || !matches!(self.layout, Layout::Panels | Layout::Bode) {
             builder.caption(look.title, text(22).color(&INK));
         }
         let [top, bottom] = look.margins;
@@ -170,7 +188,11 @@ impl Chart {
             .x_label_area_size(look.below)
             .y_label_area_size(LEFT)
             .build_cartesian_2d(across.0..across.1, along.0..along.1)?;
-        let horizontal = |value: &f64| if is_inner { String::new() } else { tick(*value, width) };
+        let horizontal = |value: &f64| match self.layout {
+            _ if is_inner => String::new(),
+            Layout::Bode => trimmed(10.0_f64.powf(*value), 2),
+            _ => tick(*value, width),
+        };
         let vertical = |value: &f64| tick(*value, height);
         let mut mesh = chart.configure_mesh();
         mesh.x_labels(9)
@@ -181,7 +203,7 @@ impl Chart {
             .set_all_tick_mark_size(5 * FINE)
             .label_style(text(14).color(&INK))
             .axis_desc_style(text(look.letters).color(&INK))
-            .y_desc(&self.axes[1])
+            .y_desc(look.words)
             .x_label_formatter(&horizontal)
             .y_label_formatter(&vertical);
         if !is_inner {
@@ -262,6 +284,8 @@ const HEAD: i32 = TITLE + MARGIN;
 struct Look<'a> {
     /// Above it; empty: it has no title of its own.
     title: &'a str,
+    /// Beside its axis.
+    words: &'a str,
     /// Above and below.
     margins: [i32; 2],
     /// Height of the labels below; less than [`BELOW`]: there are none.

@@ -4,6 +4,7 @@
 
 pub mod arrays;
 pub mod bars;
+pub mod bode;
 pub mod campbell;
 pub mod chart;
 pub mod column;

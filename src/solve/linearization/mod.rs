@@ -17,6 +17,7 @@ mod gramian;
 pub mod independent;
 mod modal;
 pub mod poles;
+pub mod responses;
 pub mod state_space;
 pub mod steady;
 pub mod tracking;

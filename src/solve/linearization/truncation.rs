@@ -150,7 +150,7 @@ pub fn reduce(system: &Whole, size: Size, method: Method) -> Result<Truncated, R
 }
 
 /// The part of the poles at 0 in states of the whole system, with these, and the rest.
-fn split(system: &Whole) -> Result<(StateSpace, Vec<Origin>, StateSpace), Refusal> {
+pub(super) fn split(system: &Whole) -> Result<(StateSpace, Vec<Origin>, StateSpace), Refusal> {
     let Whole { matrices: whole, zeros, slowest, integrators, .. } = system;
     let (StateSpace { a, b, c, d }, zeros) = (whole, *zeros);
     let states = a.rows;

@@ -160,3 +160,31 @@ fn systems_without_damping_are_refused() {
     let message = whole.reduce(&model, Size::Order(8), Method::Balanced).unwrap_err().message;
     assert!(message.contains("do not fade") && message.contains("damping"), "{message}");
 }
+
+/// The responses that diagrams show are those of the matrices, by a solution at each frequency: of a cantilever, and of
+/// a cart with poles at 0, through all resonances. The tolerance is the round-off of that solution: 1e-16 of the
+/// largest entry of `A`, 1e13, against the softest stiffness.
+#[test]
+fn responses_are_those_of_the_matrices() {
+    for (text, inputs, outputs) in [
+        (CANTILEVER, &["push.force[3]"][..], &["tip.displacement[3]", "tip.rotation[2]"][..]),
+        (CART, &["push.force[1]", "turn.acceleration"], &["x.distance", "tip.position[1]"]),
+    ] {
+        let model = load(text, &[]);
+        let found = linear(&model, inputs, outputs);
+        let range = [10.0, 3000.0];
+        let seen = found.responses(&model, Some(range)).unwrap();
+        assert!(seen.frequencies.len() > 300 && seen.frequencies.is_sorted());
+        assert!(seen.frequencies[0] >= range[0] * (1.0 - 1e-12) && *seen.frequencies.last().unwrap() <= range[1]);
+        let mut largest = 0.0_f64;
+        for (omega, values) in seen.frequencies.iter().zip(&seen.values) {
+            let exact = response(&found, Complex::new(0.0, *omega));
+            for (value, exact) in values.iter().zip(exact.iter()) {
+                let apart = (Complex::new(value[0], value[1]) - exact).norm();
+                largest = largest.max(apart / exact.norm());
+            }
+        }
+        println!("{largest:.1e}");
+        assert!(largest < 1e-5, "{largest:e}");
+    }
+}

@@ -133,3 +133,26 @@ fn mistakes_are_told() {
         assert!(text(&output.stderr).contains(expected), "{}", text(&output.stderr));
     }
 }
+
+/// Bode's diagram has a title, both axes and its frequencies; ends of the range that make none are refused.
+#[test]
+fn bode_diagrams_are_drawn() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("slider.toml"), SLIDER).unwrap();
+    let arguments = ["linearize", "slider.toml", "--inputs", "push.force[1]", "--outputs", "way.distance"];
+    let bode = |range: &str| {
+        let more = ["--bode", "bode.svg", "--frequencies", range];
+        ancf14(directory.path(), &[&arguments[..], &more].concat())
+    };
+    let output = bode("0.1:10");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let picture = std::fs::read_to_string(directory.path().join("bode.svg")).unwrap();
+    for words in ["Slider: way.distance by push.force[1]", "magnitude (dB)", "phase (degrees)", "frequency (Hz)"] {
+        assert!(picture.contains(words), "{words}");
+    }
+    for range in ["10:1", "0:5", "1", "a:b"] {
+        let output = bode(range);
+        assert_eq!(output.status.code(), Some(2), "{range}");
+        assert!(text(&output.stderr).contains("two frequencies above 0 in Hz were expected"), "{range}");
+    }
+}

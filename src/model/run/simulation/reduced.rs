@@ -1,11 +1,13 @@
-//! Linear systems with fewer states.
+//! Linear systems with fewer states, and the responses of whole ones.
 
 use super::linear::{Linear, Pole, PoleKind, Signal, check_poles, not_found};
 use super::{Simulation, wrong};
 use crate::fmi::Failure;
+use crate::solve::linearization::responses;
 use crate::solve::linearization::state_space::StateSpace;
 use crate::solve::linearization::truncation::{self, Origin, Refusal, Truncated, Whole};
 
+pub use crate::solve::linearization::responses::Responses;
 pub use crate::solve::linearization::truncation::{Method, Size};
 
 /// A linear system with fewer states.
@@ -31,25 +33,8 @@ impl Linear {
     /// # Errors
     /// There are no inputs or outputs, too many states, or more poles that do not fade than states are wanted.
     pub fn reduce(&self, simulation: &Simulation, size: Size, method: Method) -> Result<Reduced, Failure> {
-        if self.inputs.is_empty() || self.outputs.is_empty() {
-            return Err(wrong(String::from(
-                "a reduction needs inputs and outputs, and this system lacks them; name them with --inputs and \
-                 --outputs",
-            )));
-        }
-        let states = self.states.len();
-        check_poles(states)?;
-        let (rigid, others): (Vec<Pole>, Vec<Pole>) =
-            self.poles(simulation)?.into_iter().partition(|pole| pole.kind == PoleKind::Rigid);
-        let slowest = others.first().map_or(1.0, Pole::natural_frequency);
-        let rigid: usize = rigid.iter().map(|pole| if pole.value[1] > 0.0 { 2 } else { 1 }).sum();
-        let Self { a, b, c, d, .. } = self.clone();
-        let integrators = self.integrators();
-        let kind = |output: &Signal| self.outputs.iter().position(|other| other.unit == output.unit);
-        let kinds = self.outputs.iter().filter_map(kind).collect();
-        let matrices = StateSpace { a, b, c, d };
-        let zeros = rigid + integrators;
-        let whole = Whole { matrices, zeros, slowest, integrators, kinds };
+        let (states, whole) = (self.states.len(), self.whole(simulation, "a reduction")?);
+        let zeros = whole.zeros;
         let found = truncation::reduce(&whole, size, method);
         let Truncated { matrices, origins, kept, bound, error } = found.map_err(|refusal| match refusal {
             Refusal::NotFound => not_found(),
@@ -81,6 +66,37 @@ impl Linear {
         linear.states = signals;
         (linear.a, linear.b, linear.c, linear.d) = (a, b, c, d);
         Ok(Reduced { linear, poles, whole: states, kept, bound, error })
+    }
+}
+
+impl Linear {
+    /// The responses to inputs that vibrate, between two frequencies, rad/s; none: about the softest vibrations.
+    ///
+    /// # Errors
+    /// There are no inputs or outputs, or too many states.
+    pub fn responses(&self, simulation: &Simulation, range: Option<[f64; 2]>) -> Result<Responses, Failure> {
+        let whole = self.whole(simulation, "a response")?;
+        responses::responses(&whole, range).map_err(|_| not_found())
+    }
+
+    /// The system with its poles at 0 counted, for `what`.
+    fn whole(&self, simulation: &Simulation, what: &str) -> Result<Whole, Failure> {
+        if self.inputs.is_empty() || self.outputs.is_empty() {
+            return Err(wrong(format!(
+                "{what} needs inputs and outputs, and this system lacks them; name them with --inputs and --outputs"
+            )));
+        }
+        check_poles(self.states.len())?;
+        let (rigid, others): (Vec<Pole>, Vec<Pole>) =
+            self.poles(simulation)?.into_iter().partition(|pole| pole.kind == PoleKind::Rigid);
+        let slowest = others.first().map_or(1.0, Pole::natural_frequency);
+        let rigid: usize = rigid.iter().map(|pole| if pole.value[1] > 0.0 { 2 } else { 1 }).sum();
+        let Self { a, b, c, d, .. } = self.clone();
+        let integrators = self.integrators();
+        let kind = |output: &Signal| self.outputs.iter().position(|other| other.unit == output.unit);
+        let kinds = self.outputs.iter().filter_map(kind).collect();
+        let matrices = StateSpace { a, b, c, d };
+        Ok(Whole { matrices, zeros: rigid + integrators, slowest, integrators, kinds })
     }
 }
 
