@@ -31,7 +31,7 @@ fn tip(text: &str) -> (Vec3, Vec3) {
 }
 
 /// The moment 2 pi EI/L closes a circle about either axis: 16 elements of a beam miss the start by 1e-4 of its length
-/// (docs/validation.md), 32 by 6e-6.
+/// (docs/validation/equilibria.md), 32 by 6e-6.
 #[test]
 fn the_moment_of_a_full_turn_closes_the_circle() {
     for moment in ["[0, 0, \"20*pi*t\"]", "[0, \"20*pi*t\", 0]"] {
@@ -74,7 +74,7 @@ fn a_thick_cantilever_bends_as_the_elastica() {
     let text = rod(SHORT, (4.0, 16, QUADRATIC), "force = [0, \"300*t\", 0]");
     let (moved, _) = tip(&text);
     println!("{} {} {x} {y}", moved.x + 4.0, moved.y);
-    // 16 elements: 3e-6 of the length for the elastica of docs/validation.md.
+    // 16 elements: 3e-6 of the length for the elastica of docs/validation/equilibria.md.
     assert!((moved.x + 4.0 - x).abs().max((moved.y - y).abs()) < 3e-6 * 4.0, "{moved} {x} {y}");
 }
 

@@ -258,13 +258,13 @@ fn exact_table() -> String {
 
 pub fn equilibria(section: &mut Section) {
     section.say(&format!(
-        "`ancf14 run --verify` ([accuracy.md](accuracy.md)) against the largest true error of each column, for the model files as they are. True is the difference from \
+        "`ancf14 run --verify` ([its table](verify.md)) against the largest true error of each column, for the model files as they are. True is the difference from \
          {} times the elements with quadratic twist. {MEANING}",
         ELEMENTS[0]
     ));
     section.say(&table(&EQUILIBRIA));
     section.say(
-        "Against references that are no runs of this program, those of the sections above: rods by shooting, elliptic integrals, a circle. Errors are in the unit of the \
+        "Against references that are no runs of this program, those of [the benchmarks](../validation.md): rods by shooting, elliptic integrals, a circle. Errors are in the unit of the \
          column, the true ones the largest at the loads of the reference.",
     );
     section.say(&exact_table());

@@ -1,5 +1,5 @@
-//! The validation page: every benchmark of the paper and every other reference, compared with runs of model files. No
-//! number of a result is typed by hand: what the page says about sizes stands in tables that come from the runs.
+//! The validation pages: every benchmark of the paper and every other reference, compared with runs of model files. No
+//! number of a result is typed by hand: what the pages say about sizes stands in tables that come from the runs.
 
 mod bend;
 mod blades;
@@ -27,7 +27,7 @@ mod unstressed;
 use ancf14_report::chart::{Chart, Layout, Line, Stroke};
 use std::fmt::Write;
 
-/// A section of the page.
+/// A section of a page.
 pub struct Section {
     /// Markdown, title included.
     pub text: String,
@@ -56,33 +56,83 @@ pub enum Runs {
     Asked,
 }
 
-/// All sections in the order of the page.
-pub const CASES: [Case; 24] = [
-    Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
-    Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
-    Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
-    Case { title: "Unbalanced rotating shaft", runs: Runs::Long, write: shaft::write },
-    Case { title: "Lateral torsional buckling", runs: Runs::Long, write: buckling::write },
-    Case { title: "Two elements: equilibria", runs: Runs::Short, write: comparison::equilibria::write },
-    Case { title: "Two elements: motion", runs: Runs::Long, write: comparison::motion::write },
-    Case { title: "Two elements: time", runs: Runs::Asked, write: comparison::time::write },
-    Case { title: "45-degree bend", runs: Runs::Short, write: bend::write },
-    Case { title: "Elastica", runs: Runs::Short, write: elastica::write },
-    Case { title: "Rolling up to a circle", runs: Runs::Short, write: roll_up::write },
-    Case { title: "Rods given by their rigidities", runs: Runs::Short, write: rigidities::write },
-    Case { title: "Critical torque and force", runs: Runs::Short, write: static_buckling::write },
-    Case { title: "Twisted ring", runs: Runs::Short, write: ring::write },
-    Case { title: "Stress as drawn and heat", runs: Runs::Short, write: unstressed::write },
-    Case { title: "Paths past a limit load", runs: Runs::Short, write: paths::write },
-    Case { title: "Paths past a limit load: the peer", runs: Runs::Asked, write: paths::peer },
-    Case { title: "Natural frequencies", runs: Runs::Short, write: frequencies::write },
-    Case { title: "Blades", runs: Runs::Long, write: blades::write },
-    Case { title: "Contact", runs: Runs::Long, write: contact::write },
-    Case { title: "Lines on the seabed", runs: Runs::Short, write: seabed::write },
-    Case { title: "Steps chosen by an accuracy", runs: Runs::Long, write: chosen_steps::write },
-    Case { title: "Estimated errors: equilibria", runs: Runs::Short, write: estimates::equilibria },
-    Case { title: "Estimated errors: motion", runs: Runs::Long, write: estimates::motion },
+/// A page of sections.
+pub struct Page {
+    /// Its path in docs/.
+    pub path: &'static str,
+    title: &'static str,
+    introduction: &'static str,
+    /// Its sections, in order.
+    pub cases: &'static [Case],
+}
+
+/// All pages in the order of the book.
+pub static PAGES: [Page; 5] = [
+    Page {
+        path: "validation/paper.md",
+        title: "Validation: benchmarks of the paper",
+        introduction: "The four benchmarks of Ebrahimi, Butscher and Cheong (2020), and the frames that their element carries along a curve.",
+        cases: &[
+            Case { title: "Frames along a curve", runs: Runs::Short, write: frames::write },
+            Case { title: "Helical spring", runs: Runs::Short, write: spring::write },
+            Case { title: "Princeton beam", runs: Runs::Short, write: princeton::write },
+            Case { title: "Unbalanced rotating shaft", runs: Runs::Long, write: shaft::write },
+            Case { title: "Lateral torsional buckling", runs: Runs::Long, write: buckling::write },
+        ],
+    },
+    Page {
+        path: "validation/elements.md",
+        title: "Validation: ANCF14 and ANCF24",
+        introduction: "The paper compares two elements. Both run in the same program here.",
+        cases: &[
+            Case { title: "Two elements: equilibria", runs: Runs::Short, write: comparison::equilibria::write },
+            Case { title: "Two elements: motion", runs: Runs::Long, write: comparison::motion::write },
+            Case { title: "Two elements: time", runs: Runs::Asked, write: comparison::time::write },
+        ],
+    },
+    Page {
+        path: "validation/equilibria.md",
+        title: "Validation: equilibria",
+        introduction: "Large bending, buckling, stress as drawn, and paths past limit loads.",
+        cases: &[
+            Case { title: "45-degree bend", runs: Runs::Short, write: bend::write },
+            Case { title: "Elastica", runs: Runs::Short, write: elastica::write },
+            Case { title: "Rolling up to a circle", runs: Runs::Short, write: roll_up::write },
+            Case { title: "Rods given by their rigidities", runs: Runs::Short, write: rigidities::write },
+            Case { title: "Critical torque and force", runs: Runs::Short, write: static_buckling::write },
+            Case { title: "Twisted ring", runs: Runs::Short, write: ring::write },
+            Case { title: "Stress as drawn and heat", runs: Runs::Short, write: unstressed::write },
+            Case { title: "Paths past a limit load", runs: Runs::Short, write: paths::write },
+            Case { title: "Paths past a limit load: the peer", runs: Runs::Asked, write: paths::peer },
+        ],
+    },
+    Page {
+        path: "validation/motion.md",
+        title: "Validation: vibrations, contact, lines, chosen steps",
+        introduction: "Frequencies, blades, contact, lines on the seabed, and steps chosen by an accuracy.",
+        cases: &[
+            Case { title: "Natural frequencies", runs: Runs::Short, write: frequencies::write },
+            Case { title: "Blades", runs: Runs::Long, write: blades::write },
+            Case { title: "Contact", runs: Runs::Long, write: contact::write },
+            Case { title: "Lines on the seabed", runs: Runs::Short, write: seabed::write },
+            Case { title: "Steps chosen by an accuracy", runs: Runs::Long, write: chosen_steps::write },
+        ],
+    },
+    Page {
+        path: "accuracy/truth.md",
+        title: "Estimate against truth",
+        introduction: "Estimated errors of `--verify`, compared with true errors.",
+        cases: &[
+            Case { title: "Estimated errors: equilibria", runs: Runs::Short, write: estimates::equilibria },
+            Case { title: "Estimated errors: motion", runs: Runs::Long, write: estimates::motion },
+        ],
+    },
 ];
+
+/// All sections.
+pub fn cases() -> impl Iterator<Item = &'static Case> {
+    PAGES.iter().flat_map(|page| page.cases)
+}
 
 impl Case {
     /// The section, from runs.
@@ -102,7 +152,7 @@ impl Section {
 
     /// Adds a picture.
     fn picture(&mut self, name: &str, chart: Chart) {
-        let _ = writeln!(self.text, "![{}](validation/{name}.svg)\n", chart.title);
+        let _ = writeln!(self.text, "![{}]({name}.svg)\n", chart.title);
         self.charts.push((name.to_owned(), chart));
     }
 }
@@ -139,19 +189,12 @@ pub fn part<'a>(page: &'a str, title: &str) -> Option<&'a str> {
     Some(&page[start..start + length])
 }
 
-/// The page of the texts of all sections.
-pub fn page(sections: &[String]) -> String {
-    let texts: Vec<&str> = sections.iter().map(|text| text.trim_end()).collect();
-    format!("{HEAD}\n{}\n", texts.join("\n\n"))
+impl Page {
+    /// The page of the texts of its sections.
+    pub fn text(&self, sections: &[String]) -> String {
+        let texts: Vec<&str> = sections.iter().map(|text| text.trim_end()).collect();
+        format!("# {}\n\n{MARK}\n\n{}\n\n{}\n", self.title, self.introduction, texts.join("\n\n"))
+    }
 }
 
-/// docs/accuracy/truth.md, with the tables of `page`, the validation page: they stand behind its last remark.
-pub fn truth(text: &str, page: &str) -> String {
-    let end = text.find("-->").expect("the remark before the tables") + "-->".len();
-    let titles = CASES.iter().map(|case| case.title).filter(|title| title.starts_with("Estimated errors"));
-    let tables: Vec<&str> = titles.filter_map(|title| part(page, title)).collect();
-    format!("{}\n\n{}\n", &text[..end], tables.concat().replace("](accuracy.md)", "](../accuracy.md)").trim_end())
-}
-
-/// What stands before the sections.
-const HEAD: &str = include_str!("head.md");
+const MARK: &str = "<!-- Written by `cargo run --release --bin validation`. -->";

@@ -47,7 +47,7 @@ fn rows(name: &str, meshes: &[usize], case: impl Fn(usize) -> Case) -> String {
 
 pub fn write(section: &mut Section) {
     section.say(
-        "Static analyses with `follow = \"arc_length\"` ([paths](language/simulation.md#a-path-past-its-limit-load)). Lee's frame (`models/lee_frame.toml`) under a load that keeps its direction and under one that turns with the girder; a clamped shallow arch of 57 \
+        "Static analyses with `follow = \"arc_length\"` ([paths](../language/simulation.md#a-path-past-its-limit-load)). Lee's frame (`models/lee_frame.toml`) under a load that keeps its direction and under one that turns with the girder; a clamped shallow arch of 57 \
          degrees; an arch of 215 degrees, hinged at one foot and clamped at the other. Loads act at a point or along the whole arch, downward or as a pressure.\n\n\
          References: the same frames as extensible rods in a plane, integrated by Runge and Kutta's method and shot at the far support, at every row of the run, in the plane across the path. `off by` is the largest distance of a row from the rod's path, \
          displacements over the side or the radius, loads over the largest one. The first limit load is in EI/L^2, EI/R^2 for a load at a point, EI/R^3 for one along the arch; the deep arch bears 8.97 at its crown (DaDeppo and Schmidt 1975).",

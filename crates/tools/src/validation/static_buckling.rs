@@ -9,7 +9,7 @@ pub fn write(section: &mut Section) {
     section.say(
         "A torque buckles a shaft that is clamped at both ends and free to slide at one at M = 8.98682 EI/L (Greenhill, Ziegler; `crates/tools/src/validation/greenhill.toml`). \
          What destabilizes it is the second derivative of the holonomy alone. A dead force buckles a cantilever strip sideways at 2972.3 N (Prandtl and Michell, with the \
-         deflection before buckling; the beam of the lateral buckling above; `crates/tools/src/validation/strip.toml`).\n\n\
+         deflection before buckling; the beam of the lateral buckling of the paper; `crates/tools/src/validation/strip.toml`).\n\n\
          The critical load is where the lowest eigenvalue of the tangent stiffness passes zero. Error, relative, of the shaft:",
     );
     let error = |text: &'static str, beam: &'static str| {

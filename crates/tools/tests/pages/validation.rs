@@ -1,40 +1,45 @@
-//! docs/validation.md must be what its generator writes: the short runs are repeated here, and the page must hold every
-//! number of them.
+//! docs/validation/ and docs/accuracy/truth.md must be what their generator writes: the short runs are repeated here, and
+//! the pages must hold every number of them.
 
-use ancf14_tools::validation as page;
+use ancf14_testing::root;
+use ancf14_tools::validation::{self, Page, Runs, part};
+use std::fs;
 
-const PAGE: &str = include_str!("../../../../docs/validation.md");
+fn written(page: &Page) -> String {
+    fs::read_to_string(root().join("docs").join(page.path)).unwrap()
+}
 
 #[test]
-fn the_page_holds_the_numbers_of_the_short_runs() {
-    for case in page::CASES.iter().filter(|case| case.runs == page::Runs::Short) {
-        let text = case.section().text;
-        for line in text.lines() {
-            assert!(PAGE.lines().any(|own| own == line), "{}: docs/validation.md lacks\n{line}", case.title);
+fn the_pages_hold_the_numbers_of_the_short_runs() {
+    for page in &validation::PAGES {
+        let own = written(page);
+        for case in page.cases.iter().filter(|case| case.runs == Runs::Short) {
+            let text = case.section().text;
+            for line in text.lines() {
+                assert!(own.lines().any(|own| own == line), "{}: docs/{} lacks\n{line}", case.title, page.path);
+            }
+            let title = case.title;
+            assert!(own.contains(text.trim_end()), "{title}: the lines of docs/{} are in another order", page.path);
         }
-        assert!(PAGE.contains(text.trim_end()), "{}: the lines of docs/validation.md are in another order", case.title);
     }
 }
 
-/// docs/accuracy/truth.md has the tables on estimated errors of this page.
+/// A page tells all that it takes to write it: sections that are not asked for stay. Every picture is there.
 #[test]
-fn the_page_on_truth_has_its_tables() {
-    let accuracy = include_str!("../../../../docs/accuracy/truth.md");
-    assert_eq!(accuracy, page::truth(accuracy, PAGE));
-    assert!(accuracy.contains("| rolled up |") && accuracy.contains("| rotating shaft |"));
-}
-
-/// Every section has its place, and every picture is there.
-#[test]
-fn the_page_is_whole() {
-    for case in &page::CASES {
-        assert!(PAGE.contains(&format!("## {}\n", case.title)), "{} is missing", case.title);
+fn the_pages_are_whole() {
+    let mut pictures = 0;
+    for page in &validation::PAGES {
+        let own = written(page);
+        let sections: Vec<String> =
+            page.cases.iter().filter_map(|case| part(&own, case.title)).map(str::to_owned).collect();
+        assert_eq!(sections.len(), page.cases.len(), "a section of docs/{} is missing", page.path);
+        assert!(own == page.text(&sections), "docs/{} has other text than its sections", page.path);
+        for picture in own.split("](").skip(1).filter_map(|rest| rest.split(')').next()?.strip_suffix(".svg")) {
+            let path = root().join(format!("docs/validation/{picture}.svg"));
+            let svg = fs::read_to_string(&path).unwrap_or_else(|reason| panic!("{picture}: {reason}"));
+            assert!(svg.contains("<svg") && !svg.contains("NaN"), "{picture}");
+            pictures += 1;
+        }
     }
-    let pictures: Vec<&str> = PAGE.split("](validation/").skip(1).filter_map(|rest| rest.split(')').next()).collect();
-    assert!(pictures.len() > 10);
-    for picture in pictures {
-        let path = ancf14_testing::root().join("docs/validation").join(picture);
-        let svg = std::fs::read_to_string(&path).unwrap_or_else(|reason| panic!("{picture}: {reason}"));
-        assert!(svg.contains("<svg") && !svg.contains("NaN"), "{picture}");
-    }
+    assert!(pictures > 10, "{pictures} pictures");
 }

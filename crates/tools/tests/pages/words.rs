@@ -7,8 +7,8 @@ use std::fs;
 
 const README_WORDS: usize = 700;
 const PAGE_WORDS: usize = 4_000;
-/// Pages of which a program writes the tables, and that are longer therefore.
-const GENERATED: [&str; 2] = ["docs/language/reference.md", "docs/validation.md"];
+/// Tables that a program writes, and that are longer therefore.
+const GENERATED: [&str; 1] = ["docs/language/reference.md"];
 /// A page that a program writes as a whole.
 const WRITTEN: &str = "docs/accuracy/truth.md";
 /// Words of a sentence on the pages for users, on average.

@@ -20,10 +20,10 @@ pub fn write(section: &mut Section) {
     section.say(
         "The paper compares ANCF14 with ANCF24, the beam of Yakoub and Shabana (2001), which has the three slopes of a section as coordinates: 12 a node instead of 7, \
          shear and a deformable section. Here both run in the same program: the same joints, solver, steps and tolerances, only the element differs \
-         (`--set arm.element=ancf24`; [mechanics.md](mechanics.md), section 10). ANCF14 is the paper's: linear twist, `strain = \"small\"`. ANCF24 is corrected, without Poisson's \
+         (`--set arm.element=ancf24`; [the theory](../mechanics.md), section 10). ANCF14 is the paper's: linear twist, `strain = \"small\"`. ANCF24 is corrected, without Poisson's \
          coupling and with its shear moduli scaled so that its torsional stiffness is the section's; below is what it does without.\n\n\
-         With the mesh of the paper, step of the sections above. `unknowns`: coordinates and multipliers of the constraints; three more at each node that a joint holds, because the \
-         section of ANCF24 must be kept from deforming there. Errors are those of the sections above: of the spring the largest error of the force, of the Princeton beam \
+         With the mesh of the paper, step of [the benchmarks](paper.md). `unknowns`: coordinates and multipliers of the constraints; three more at each node that a joint holds, because the \
+         section of ANCF24 must be kept from deforming there. Errors are those of the benchmarks: of the spring the largest error of the force, of the Princeton beam \
          that of the displacement in the stiff direction; its iterations are those of all 21 cases.",
     );
     let [spring, beam, ..] = &BENCHMARKS;
