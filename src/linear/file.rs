@@ -260,15 +260,15 @@ impl<'a, 'b> Reader<'a, 'b> {
     fn matrix(&self, key: &str, rows: usize, columns: usize) -> Result<Matrix, String> {
         let list = self.list(key)?;
         let wrong = || format!("`{key}` is not a list of {rows} rows with {columns} finite numbers each");
-        let mut matrix = Matrix::zeros(rows, columns);
-        if list.len() != rows {
+        let is_wide =
+            |item: &Spanned<DeValue<'_>>| matches!(item.get_ref(), DeValue::Array(values) if values.len() == columns);
+        // Before any memory is asked for: a damaged file may name millions of signals.
+        if list.len() != rows || !list.iter().all(is_wide) {
             return Err(wrong());
         }
+        let mut matrix = Matrix::zeros(rows, columns);
         for (row, item) in list.iter().enumerate() {
             let DeValue::Array(values) = item.get_ref() else { return Err(wrong()) };
-            if values.len() != columns {
-                return Err(wrong());
-            }
             for (column, value) in values.iter().enumerate() {
                 *matrix.at_mut(row, column) = number(value.get_ref()).ok_or_else(wrong)?;
             }

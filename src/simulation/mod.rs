@@ -24,13 +24,14 @@ use crate::model::linear::Linear;
 use crate::model::modes::Modes;
 use crate::model::simulation::{Halt, Placement};
 use crate::model::{self, effort, file, names, notes};
+use crate::packed::Packed;
 
 /// A model file that runs: load it, set parameters, initialize, advance, read results. All numbers are in SI units and
 /// radians.
 ///
 /// A failed call leaves the values as they were. After a failed step, a saved state or [`Self::reset`] goes on.
 pub struct Simulation {
-    instance: Instance<model::simulation::Simulation>,
+    instance: Instance<Packed>,
     /// What is to be told besides what the instance has logged.
     warnings: Vec<String>,
     /// Rows of results so far, the start included.
@@ -38,7 +39,7 @@ pub struct Simulation {
 }
 
 /// A state of a simulation to go back to: [`Simulation::save`].
-pub struct SavedState(FmuState<model::simulation::Simulation>);
+pub struct SavedState(FmuState<Packed>);
 
 impl fmt::Debug for Simulation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -123,7 +124,12 @@ impl Simulation {
             .map_err(|failure| Error::Mistakes { mistakes: failure.message, line: failure.line })?;
         model.heed_mesh_error();
         let warnings = notes::notes(model.document());
-        Ok(Self { instance: Instance::new(model, false), warnings, rows: 0 })
+        Ok(Self::of(model, warnings))
+    }
+
+    /// The type of the instance is that of FMUs: the library has its functions once.
+    fn of(model: model::simulation::Simulation, warnings: Vec<String>) -> Self {
+        Self { instance: Instance::new(Packed::Mechanism(Box::new(model)), false), warnings, rows: 0 }
     }
 
     /// The name of the model.
@@ -244,7 +250,7 @@ impl Simulation {
     /// run, leave the error unknown. `mesh_error = true` in the model file asks for it within each step of this run.
     /// The answer halts the run beside, from any thread, where nobody waits for the error any more.
     pub fn ask_for_mesh_error(&mut self, placement: Placement) -> Halt {
-        self.instance.model_mut().ask_for_mesh_error(placement)
+        self.mechanism_mut().ask_for_mesh_error(placement)
     }
 
     /// Restricts the warnings about errors of the steps and the mesh, which [`Self::finish`] gives, to these results:
@@ -259,7 +265,7 @@ impl Simulation {
                 self.find(name)?;
             }
         }
-        self.instance.model_mut().judge_only(names);
+        self.mechanism_mut().judge_only(names);
         Ok(())
     }
 
@@ -291,7 +297,7 @@ impl Simulation {
     /// The simulation is not initialized, or the run has ended already.
     pub fn finish(&mut self) -> Result<(), Error> {
         self.instance.terminate().map_err(|error| Error::of(error, self.time()))?;
-        let model = self.instance.model();
+        let model = self.model();
         let statistics = &model.state().statistics;
         let duration = self.time() - model.about().start;
         self.warnings.extend(effort::rejections(model.document(), statistics, duration, self.rows));
@@ -341,7 +347,17 @@ impl Simulation {
 
     /// The model behind the variables: what drawings, pages and FMU files are made from.
     pub fn model(&self) -> &model::simulation::Simulation {
-        self.instance.model()
+        match self.instance.model() {
+            Packed::Mechanism(model) => model,
+            Packed::Linear(_) => unreachable!("a simulation is of a mechanism"),
+        }
+    }
+
+    fn mechanism_mut(&mut self) -> &mut model::simulation::Simulation {
+        match self.instance.model_mut() {
+            Packed::Mechanism(model) => model,
+            Packed::Linear(_) => unreachable!("a simulation is of a mechanism"),
+        }
     }
 
     /// Natural frequencies and shapes about the state that is reached: the `count` lowest ones.
@@ -350,7 +366,7 @@ impl Simulation {
     /// The simulation is not initialized, or the modes are not found.
     pub fn modes(&self, count: usize) -> Result<Modes, Error> {
         match self.is_initialized() {
-            true => self.instance.model().modes(count).map_err(|failure| Error::Failed { reason: failure.message }),
+            true => self.model().modes(count).map_err(|failure| Error::Failed { reason: failure.message }),
             false => Err(Error::NotInitialized),
         }
     }
@@ -362,11 +378,9 @@ impl Simulation {
     /// The simulation is not initialized, a name is not known, or nothing can move.
     pub fn linearize(&self, inputs: Option<&[String]>, outputs: Option<&[String]>) -> Result<Linear, Error> {
         match self.is_initialized() {
-            true => self
-                .instance
-                .model()
-                .linearize(inputs, outputs)
-                .map_err(|failure| Error::Failed { reason: failure.message }),
+            true => {
+                self.model().linearize(inputs, outputs).map_err(|failure| Error::Failed { reason: failure.message })
+            }
             false => Err(Error::NotInitialized),
         }
     }

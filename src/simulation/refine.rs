@@ -1,7 +1,6 @@
 //! Runs that are repeated with finer steps and meshes until they are accurate.
 
 use super::Simulation;
-use crate::fmi::instance::Instance;
 use crate::model::refinement::{Outcome, Refinement};
 
 impl Simulation {
@@ -10,23 +9,23 @@ impl Simulation {
     /// first run at most. [`Self::look`] takes the rows of each run, the start first, and
     /// [`Self::repeated`] decides after [`Self::finish`].
     pub fn refine(&mut self, budget: f64) -> Option<Refinement> {
-        Refinement::of(self.instance.model_mut(), budget)
+        Refinement::of(self.mechanism_mut(), budget)
     }
 
     /// Shows the row that is reached to `refinement`.
     pub fn look(&self, refinement: &mut Refinement) {
-        refinement.look(self.instance.model());
+        refinement.look(self.model());
     }
 
     /// The same model with finer steps and meshes, to be initialized and run as this one was; none where the results
     /// are accurate, or cannot be with this budget.
     pub fn repeated(&self, refinement: &mut Refinement) -> Option<Self> {
-        let next = refinement.judge(self.instance.model())?;
-        Some(Self { instance: Instance::new(*next, false), warnings: Vec::new(), rows: 0 })
+        let next = refinement.judge(self.model())?;
+        Some(Self::of(*next, Vec::new()))
     }
 
     /// Sums up the runs so far.
     pub fn outcome(&self, refinement: &Refinement) -> Outcome {
-        refinement.outcome(self.instance.model())
+        refinement.outcome(self.model())
     }
 }

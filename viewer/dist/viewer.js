@@ -1,4 +1,4 @@
-// sources: d75877f95bd24d8b
+// sources: 0549881e8933939b
 /*! Contains:
 
 three 0.187.0

@@ -1,4 +1,4 @@
-// What the page is told, as JSON: the words of docs/viewer.md. crates/view/src/format.rs is the same from the other side.
+// The data of a page, as JSON: the words of docs/viewer/data.md. crates/view/src/format.rs is the same from the other side.
 
 export const FORMAT = 1;
 

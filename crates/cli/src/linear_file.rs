@@ -24,7 +24,8 @@ enum Format {
 impl Format {
     /// The kind that the ending of a file names.
     fn of(path: &Path) -> Result<Self, Stop> {
-        match path.extension().and_then(|extension| extension.to_str()) {
+        let ending = path.extension().and_then(|extension| extension.to_str()).map(str::to_lowercase);
+        match ending.as_deref() {
             Some("npz") => Ok(Self::Npz),
             Some("mat") => Ok(Self::Mat),
             Some("json") => Ok(Self::Json),
@@ -37,7 +38,7 @@ impl Format {
     }
 }
 
-/// What an FMU needs.
+/// The arguments of an FMU.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Packing {
     /// Version of the standard of an FMU: 2 or 3

@@ -173,6 +173,9 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>
     let file = wishes.output.as_deref();
     let target = file.map(|path| Target::new(path, &wishes.packing, model.input(), program)).transpose()?;
     if let Some(path) = &wishes.bode {
+        if file == Some(path.as_path()) {
+            return Err(Stop::Bad("error: --bode and --output name the same file; give two names".to_owned()));
+        }
         output::spare(&[model.input()], std::slice::from_ref(path))?;
         output::try_out(path)?;
     }

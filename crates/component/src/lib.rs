@@ -1,7 +1,8 @@
 //! The unit as a component of WebAssembly: the world `co-simulation-fmu` of the working draft of FMI-LS-WASM
 //! (`wit/fmi3.wit`), built by `scripts/build-component.sh`.
 //!
-//! It reads `resources/model.toml`, or `resources/linear.toml`, by `wasi:filesystem`, from a folder that the host opens for it, and asks for nothing
+//! It reads `resources/model.toml`, or `resources/linear.toml`, by `wasi:filesystem`, from a folder that the host opens
+//! for it, and asks for nothing
 //! else of WASI.
 //! [`unit`] is an instance, [`exports`] what the host calls of it.
 #![cfg(target_arch = "wasm32")]

@@ -273,7 +273,7 @@ fn write_page(
     write_end(out, standard, about, variables, HEADER)
 }
 
-/// What all pages end with: hosts, variables, who made it.
+/// The end of all pages: hosts, variables, who made it.
 fn write_end(
     out: &mut String,
     standard: Standard,

@@ -1,4 +1,4 @@
-//! What documentation/index.html of a small FMU says of its linear system.
+//! The part of documentation/index.html of a small FMU that is about its linear system.
 
 use std::fmt::{Error, Write};
 
@@ -19,7 +19,7 @@ const BEHAVIOR: [&str; 9] = [
     "The matrices are in <code>resources/linear.toml</code>, the solver in the library; nothing else has to be installed.",
     "A step has no error but round-off, whatever its length, while inputs are constant or change linearly. Steps of a new length cost more: the unit keeps the \
      matrices of the last four lengths.",
-    "Values of inputs and outputs have the meaning that they have in the mechanism: with all inputs at their start values the unit stays in the state above.",
+    "Values of inputs and outputs have the meaning that they have in the mechanism: with all inputs at their start values the unit stays in the state above, if that is an equilibrium.",
     "A motion that is prescribed is given by its acceleration. Position and rate follow from it, and begin with their values in the state above.",
     "An input that is set at a communication point acts from the next step on. Outputs are those of the end of the last step, with the inputs that it ended with.",
     "Directional derivatives are exact: of the outputs at the end of the last step by the values of the inputs during it. In Initialization Mode they are those of the initial outputs.",
@@ -27,7 +27,7 @@ const BEHAVIOR: [&str; 9] = [
     "FMU states can be taken and set at any time, and serialized, also for another process. A step shorter than a millionth of the default communication step is left to the next one.",
 ];
 
-/// What FMI 2.0 adds.
+/// The sentence that FMI 2.0 adds.
 const ADDED_FMI2: &str = "Derivatives of inputs by time (<code>fmi2SetRealInputDerivatives</code>) are for the next step only, during which the inputs change linearly.";
 
 /// The sentences of the page.
@@ -38,7 +38,7 @@ pub fn behavior(standard: Standard) -> Vec<String> {
 
 /// Writes where the system comes from, its operating point and its poles.
 pub fn write(out: &mut String, origin: &Origin, variables: &[Variable]) -> Result<(), Error> {
-    let Origin { model, state, order, reduction, poles } = origin;
+    let Origin { model, state, order, reduction, poles, warnings } = origin;
     writeln!(
         out,
         "<h2>Linear system</h2>\n<p>The linear system of {} about {}, ",
@@ -56,11 +56,17 @@ pub fn write(out: &mut String, origin: &Origin, variables: &[Variable]) -> Resul
             writeln!(out, "reduced from {whole} states to {order}{kept}. The error of the reduction is {bound}.</p>")?;
         }
     }
+    for warning in warnings {
+        writeln!(out, "<p>Warning: {}.</p>", escape(warning.trim_end_matches('.')))?;
+    }
     writeln!(out, "<h3>Values in that state</h3>\n<table>\n<tr><th>Variable</th><th>Value</th><th>Unit</th></tr>")?;
     for variable in variables {
         let (Value::Real(value), unit) = (variable.start, escape(variable.quantity.unit.as_str())) else { continue };
         let name = escape(variable.name.as_str());
         writeln!(out, "<tr><td><code>{name}</code></td><td>{value:?}</td><td>{unit}</td></tr>")?;
+    }
+    if poles.is_empty() {
+        return writeln!(out, "</table>\n<p>The poles of the linear system are not known.</p>");
     }
     writeln!(
         out,

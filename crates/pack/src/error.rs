@@ -38,6 +38,16 @@ pub enum Error {
         /// How many.
         order: usize,
     },
+    /// The matrices of a linear system belong to one position of a mechanism that turns.
+    #[error(
+        "the linear system about the rotation of {drive} is in the frame that turns: the matrices of its inputs and \
+         outputs are those of the position as drawn, and an FMU would keep them as the mechanism turns on; write a file \
+         of matrices, .npz, .mat or .json"
+    )]
+    Turns {
+        /// The drive.
+        drive: String,
+    },
     /// A linear system is not a unit.
     #[error("{0}")]
     Linear(String),

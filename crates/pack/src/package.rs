@@ -1,7 +1,8 @@
 //! The FMU: a zip archive of description, picture, libraries, model file, documentation and licences (FMI 2.0, section
 //! 2.3; FMI 3.0, section 2.5).
 //!
-//! The library is the same for every model; it reads `resources/model.toml`, or `resources/linear.toml`, when it is instantiated. It is found by
+//! The library is the same for every model; it reads `resources/model.toml`, or `resources/linear.toml`, when it is
+//! instantiated. It is found by
 //! `--library PATH`, else beside the executable, else in `../lib`. The same input gives the same bytes: fixed order,
 //! fixed dates, fixed compression.
 

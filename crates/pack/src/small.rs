@@ -1,13 +1,14 @@
 //! The small FMU of a linear system: its file, its unit, and what its page says of where it comes from.
 
 use crate::error::Error;
+use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::fmi::{About, Model};
 use ancf14::linear::{File, MOST_STATES, Matrix, Signal, Unit};
 use ancf14::model::linear::{self, Linear, Pole};
 use ancf14::model::simulation::Simulation;
-use ancf14::model::steady::Steady;
+use ancf14::model::steady::{Frame, Steady};
 
-/// What a reduction has left out.
+/// The error of a reduction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reduction {
     /// States of the whole system.
@@ -31,8 +32,10 @@ pub struct Origin {
     pub order: usize,
     /// None: it has all states.
     pub reduction: Option<Reduction>,
-    /// Its poles, those with the positive imaginary part of pairs.
+    /// Its poles, those with the positive imaginary part of pairs; empty: they are not known.
     pub poles: Vec<[f64; 2]>,
+    /// Warnings about that state.
+    pub warnings: Vec<String>,
 }
 
 /// A linear system as an FMU has it.
@@ -50,7 +53,8 @@ impl Small {
     /// The unit of a linear system of `simulation`, with its poles.
     ///
     /// # Errors
-    /// It has too many states, or numbers that are too large.
+    /// It has too many states or numbers that are too large, or its matrices are those of one position of a mechanism
+    /// that turns.
     pub fn new(
         simulation: &Simulation,
         linear: &Linear,
@@ -60,6 +64,9 @@ impl Small {
         let order = linear.states.len();
         if order > MOST_STATES {
             return Err(Error::States { order });
+        }
+        if let Some(Steady { drive, frame: Frame::Turning, .. }) = &linear.steady {
+            return Err(Error::Turns { drive: drive.clone() });
         }
         let model = simulation.about();
         let state = match &linear.steady {
@@ -72,34 +79,41 @@ impl Small {
             description: format!("Linear system of {} about {state}, for small motions", model.name),
             guid: String::new(),
             start: 0.0,
+            stop: model.stop - model.start,
             ..model.clone()
         };
-        let signals = |signals: &[linear::Signal]| signals.iter().map(|own| signal(simulation, own)).collect();
+        let signals = |signals: &[linear::Signal], causality: Causality| {
+            signals.iter().map(|own| signal(simulation, own, causality)).collect()
+        };
         let [a, b, c, d] = [&linear.a, &linear.b, &linear.c, &linear.d].map(|own| Matrix {
             rows: own.rows,
             columns: own.columns,
             values: own.values.clone(),
         });
-        let file = File { about, inputs: signals(&linear.inputs), outputs: signals(&linear.outputs), a, b, c, d };
+        let inputs = signals(&linear.inputs, Causality::Input);
+        let outputs = signals(&linear.outputs, Causality::Output);
+        let file = File { about, inputs, outputs, a, b, c, d };
         let text = file.text();
         let unit = Unit::load("the linear system", &text).map_err(|failure| Error::Linear(failure.message))?;
         let poles = poles.iter().map(|pole| pole.value).collect();
-        let origin = Origin { model: model.name.clone(), state, order, reduction, poles };
+        let warnings = linear.warnings.clone();
+        let origin = Origin { model: model.name.clone(), state, order, reduction, poles, warnings };
         Ok(Self { unit, text, origin })
     }
 }
 
 /// An input or an output as the variable table of the mechanism knows it.
-fn signal(simulation: &Simulation, own: &linear::Signal) -> Signal {
+fn signal(simulation: &Simulation, own: &linear::Signal, causality: Causality) -> Signal {
     let linear::Signal { name, unit, value } = own.clone();
-    let known = simulation.variables().iter().find(|variable| variable.name == name);
+    let is_own = |variable: &&Variable| variable.causality == causality && variable.name == name;
+    let known = simulation.variables().iter().find(is_own);
     let Some(known) = known else {
         let description = match name.split_once('.').filter(|(_, word)| word.contains("acceleration")) {
-            Some((part, _)) => format!(
+            Some((part, _)) if causality == Causality::Input => format!(
                 "Acceleration of {part}, from which its motion follows; it begins with the position and the rate that \
                  {part} has in the state that the system is about"
             ),
-            None => String::new(),
+            _ => String::new(),
         };
         return Signal { name, unit, description, value, ..Signal::default() };
     };

@@ -7,7 +7,7 @@ use ancf14::model::reduced::Responses;
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 
-/// A magnitude below this share of the largest one of its output is not shown: its logarithm is without a bound.
+/// A magnitude below this share of the largest one of its response is not shown: its logarithm is without a bound.
 const LEAST: f64 = 1e-12;
 
 /// The diagram of `linear`, the system of `model`.
@@ -47,11 +47,12 @@ pub fn svg(linear: &Linear, found: &Responses, model: &str) -> Result<String, Bo
 fn curves(found: &Responses, number: usize) -> [Vec<(f64, f64)>; 2] {
     let own = || found.values.iter().map(|values| values[number]);
     let size = |[real, imaginary]: [f64; 2]| real.hypot(imaginary);
-    let largest = own().map(size).fold(0.0, f64::max);
+    let largest = own().map(size).filter(|size| size.is_finite()).fold(0.0, f64::max);
     let (mut magnitude, mut phase) = (Vec::new(), Vec::new());
     let mut last: Option<f64> = None;
     for (omega, value) in found.frequencies.iter().zip(own()) {
-        if size(value) <= LEAST * largest {
+        // Not-a-number, at the pole of an undamped vibration, is not shown either.
+        if !(size(value) > LEAST * largest && size(value).is_finite()) {
             continue;
         }
         let at = (omega / TAU).log10();

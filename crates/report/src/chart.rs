@@ -190,7 +190,7 @@ impl Chart {
             .build_cartesian_2d(across.0..across.1, along.0..along.1)?;
         let horizontal = |value: &f64| match self.layout {
             _ if is_inner => String::new(),
-            Layout::Bode => trimmed(10.0_f64.powf(*value), 2),
+            Layout::Bode => trimmed(10.0_f64.powf(*value), frequency_digits(width)),
             _ => tick(*value, width),
         };
         let vertical = |value: &f64| tick(*value, height);
@@ -273,6 +273,11 @@ fn legend(area: &Area<'_>, lines: &[&Line], first: i32) -> Result<(), Box<dyn Er
         area.draw(&Text::new(rest, (38 * FINE, y - 7 * FINE), label()))?;
     }
     Ok(())
+}
+
+/// Digits of frequencies on an axis that spans so many decades: neighboring ticks differ in them.
+fn frequency_digits(decades: f64) -> usize {
+    (2.0 - decades.log10()).ceil().clamp(2.0, 9.0) as usize
 }
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -403,6 +408,18 @@ mod tests {
         assert_eq!(tick(20.0, 100.0), "20");
         assert_eq!(tick(2.5e-7, 1e-6), "2.5e-7");
         assert_eq!(tick(1.5e8, 2e8), "1.5e8");
+    }
+
+    /// A wide range of frequencies has short numbers; on one of a twentieth all ticks differ.
+    #[test]
+    fn ticks_of_frequencies_differ() {
+        assert_eq!(frequency_digits(3.0), 2);
+        let ends: [f64; 2] = [49.0, 51.0];
+        let decades = (ends[1] / ends[0]).log10();
+        let ticks = (0..=8).map(|k| ends[0] * (ends[1] / ends[0]).powf(f64::from(k) / 8.0));
+        let mut words: Vec<String> = ticks.map(|tick| trimmed(tick, frequency_digits(decades))).collect();
+        words.dedup();
+        assert_eq!(words.len(), 9, "{words:?}");
     }
 
     /// A straight line is drawn straight: from point to point it rises by the same, to a tenth of a pixel.

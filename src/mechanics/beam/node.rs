@@ -106,6 +106,11 @@ impl Node {
         }
     }
 
+    /// Whether coordinate `index` of the system is its angle about the tangent.
+    pub fn is_spin(&self, index: usize) -> bool {
+        matches!(self, Self::Ancf14 { start, .. } if index == start + ancf14::THETA)
+    }
+
     /// What its coordinate `local` beyond its place is, in words.
     pub fn describe(&self, local: usize) -> &'static str {
         match self {

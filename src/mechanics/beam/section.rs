@@ -128,6 +128,15 @@ impl Outline {
     }
 }
 
+/// Which rigidities a section lacks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Limp {
+    /// Against bending about y or z.
+    pub bending: bool,
+    /// Against torsion.
+    pub torsion: bool,
+}
+
 /// The integrals of a section that the element needs, and its outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Section {
@@ -156,8 +165,8 @@ pub struct Section {
     pub contents: f64,
     /// Its outline; the integrals may be given differently.
     pub outline: Outline,
-    /// Whether it has a least rigidity in place of one of its own: the spin of a chain means nothing.
-    pub is_limp: bool,
+    /// Which rigidities are least ones in place of its own: the spin of a chain means nothing.
+    pub limp: Limp,
 }
 
 impl Section {
@@ -175,7 +184,7 @@ impl Section {
         inertia: None,
         contents: 0.0,
         outline: Outline::General,
-        is_limp: false,
+        limp: Limp { bending: false, torsion: false },
     };
 
     /// Mass per length, kg/m, and its polar moment, kg m, of a section of `material`.
@@ -220,7 +229,7 @@ impl Section {
             polar_moment,
             fourth_moments: Self::rectangular_fourth_moments(self.area, second_moment_y, second_moment_z),
             inertia,
-            is_limp: true,
+            limp: Limp { bending: own[0] <= 0.0 || own[1] <= 0.0, torsion: own[2] <= 0.0 },
             ..self
         }
     }

@@ -40,8 +40,9 @@ impl System {
             return false;
         }
         let number = self.mesh.node_of(index);
+        let is_spin = self.mesh.nodes[number].is_spin(index);
         let owner = self.beams.iter().find(|beam| beam.node_range().contains(&number));
-        !self.is_place(index) && owner.is_some_and(|beam| beam.section.is_limp)
+        is_spin && owner.is_some_and(|beam| beam.section.limp.torsion)
     }
 
     /// A joint's name. The rigidity of a body is nobody's choice: in its stead stand the joints of the body.

@@ -9,6 +9,8 @@ use crate::mechanics::marker::relative_coordinate::Measure;
 const SMOOTH_SHARE: f64 = 1e-3;
 /// Penetration of a contact over the radius of its surface, or over the size of the system.
 const PRESSED: f64 = 1e-4;
+/// Sections of a beam that varies, from its start to its end, of which the most slender one counts.
+const SECTIONS: u8 = 8;
 /// Error of differences of fourth order that the stretch of slender beams may leave.
 const STRETCHED: f64 = 1e-10;
 
@@ -17,13 +19,18 @@ impl System {
     /// are right to [`STRETCHED`]. A straight change `r` stretches what turns by `r²`; the axial force of that leaves
     /// `r⁴ EA L²/EI` beside the force of bending.
     pub fn straight_reach(&self, largest: f64) -> f64 {
-        let slenderness = |beam: &Beam| {
-            let Section { area, second_moment_y, second_moment_z, is_limp, .. } = beam.section;
+        let slenderness = |section: Section| {
+            let Section { area, second_moment_y, second_moment_z, limp, .. } = section;
             let softest = second_moment_y.min(second_moment_z);
             // The tension of a chain is all of its stiffness.
-            if is_limp || softest <= 0.0 { 0.0 } else { area * self.size * self.size / softest }
+            if limp.bending || softest <= 0.0 { 0.0 } else { area * self.size * self.size / softest }
         };
-        let most = self.beams.iter().map(slenderness).fold(0.0, f64::max);
+        let along = |beam: &Beam| {
+            let at = |place: u8| slenderness(beam.section_at(f64::from(place) / f64::from(SECTIONS)));
+            let sections = if beam.profile.is_some() { SECTIONS } else { 0 };
+            (0..=sections).map(at).fold(0.0, f64::max)
+        };
+        let most = self.beams.iter().map(along).fold(0.0, f64::max);
         if most > 0.0 { largest.min((STRETCHED / most).sqrt().sqrt()) } else { largest }
     }
 

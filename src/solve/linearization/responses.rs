@@ -70,7 +70,11 @@ fn frequencies(poles: &[Complex], range: Option<[f64; 2]>) -> Vec<f64> {
         [softest, ..] => [softest / BEYOND, sizes[sizes.len().min(LAST) - 1] * BEYOND.sqrt()],
     };
     let [from, to] = range.unwrap_or(ends);
-    let at = |number: usize| from * (to / from).powf(number as f64 / (GRID - 1) as f64);
+    let at = |number: usize| match number {
+        0 => from,
+        _ if number == GRID - 1 => to,
+        _ => (from.ln() + (to.ln() - from.ln()) * (number as f64 / (GRID - 1) as f64)).exp(),
+    };
     let mut all: Vec<f64> = (0..GRID).map(at).collect();
     let vibrations = poles.iter().filter(|pole| pole.im > 0.0 && pole.re != 0.0);
     all.extend(vibrations.flat_map(|pole| ABOUT.map(|times| pole.im + times * pole.re.abs())));

@@ -47,12 +47,20 @@ tolerance = 1e-12
 /// equilibrium or a motion to 1e-12. The differences of repeated steps are right to 1e-10 among themselves.
 #[test]
 fn thin_strips_have_right_derivatives() {
-    for (kind, thickness) in [("static", 1e-3), ("static", 3e-4), ("static", 1e-4), ("dynamic", 3e-4)] {
+    let section = "width = \"THICK\"";
+    for (kind, thickness, width) in [
+        ("static", 1e-3, section),
+        ("static", 3e-4, section),
+        ("static", 1e-4, section),
+        ("dynamic", 3e-4, section),
+        // A strip that tapers is as slender as its thinnest section.
+        ("static", 3e-4, "width = \"3*THICK - 2*THICK*s\""),
+    ] {
         // EI/L² = 0.35 N at 1 mm.
         let force = 0.35 * (thickness / 1e-3_f64).powi(3);
         // The round-off of a strain against bending: EA L²/EI = 12 (L/h)².
         let tolerance = 1e-8 + 2e-16 * 12.0 / (thickness * thickness);
-        let text = STRIP.replace("THICK", &thickness.to_string()).replace("KIND", kind);
+        let text = STRIP.replace(section, width).replace("THICK", &thickness.to_string()).replace("KIND", kind);
         let mut simulation = load(&text.replace("FORCE", &force.to_string()), &[]);
         let place = |name: &str| simulation.variables().iter().position(|own| own.name == name).unwrap();
         let (push, outputs) = (place("pull.force[2]"), [1, 2].map(|axis| place(&format!("tip.displacement[{axis}]"))));

@@ -40,7 +40,7 @@ function at(run, name, time) {
   return columns(name)[row];
 }
 
-/** The accuracy of positions in the page, m: docs/viewer.md has 1e-5 of the extent, here 1 m; and those of the first run are single precision. */
+/** The accuracy of positions in the page, m: docs/viewer/data.md has 1e-5 of the extent, here 1 m; and those of the first run are single precision. */
 const EXACT = 2e-5;
 
 test("the second run is a ghost at the same instant, and stays where it ends", async () => {

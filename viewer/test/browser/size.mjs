@@ -1,5 +1,5 @@
 // Large models in a real browser, from the disk: do their pages open, do they stay small, and does the page say what it leaves out? Prints how long JavaScript takes for a picture, which is not
-// bounded here: it depends on what else the computer does. With ANCF14_BLESS=1 it writes these figures into docs/viewer.md. Needs the program in the variable ANCF14.
+// bounded here: it depends on what else the computer does. With ANCF14_BLESS=1 it writes these figures into docs/viewer/data.md. Needs the program in the variable ANCF14.
 
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
@@ -93,12 +93,13 @@ test("large models have small pages that open", { timeout: 600000 }, async () =>
   const words = `To place and color everything for one picture, JavaScript takes ${took.pendulum} ms for the pendulum and ${took["50 beams of 20 elements"]} ms for 50 beams of 1,000 elements`;
   console.log([`page without data: ${megabytes(shell + style)} MB, solver: ${megabytes(size)} MB`, ...rows, words, JSON.stringify(took)].join("\n"));
   if (process.env.ANCF14_BLESS === "1" && size > 0) {
-    const path = join(models, "../docs/viewer.md");
+    const path = join(models, "../docs/viewer/data.md");
     const text = readFileSync(path, "utf8");
     const written = text
       .replace(/\| 20 beams of 21 stations[^]*?(?=\n\n)/, rows.join("\n"))
       .replace(/To place and color everything[^(]*?(?= \()/, words)
       .replace(/The program is [\d.]+ MB; the solver of `--live` adds [\d.]+ MB\./, `The program is ${megabytes(shell + style)} MB; the solver of \`--live\` adds ${megabytes(size)} MB.`);
+    for (const line of [rows[0], words]) assert.ok(written.includes(line), `docs/viewer/data.md has no place for ${line}`);
     writeFileSync(path, written);
   }
 });

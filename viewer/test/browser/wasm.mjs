@@ -1,6 +1,6 @@
 // The solver of the page against the program: WebAssembly in node, outside a browser. Does it give the numbers of `ancf14 view` for every model that is shipped,
 // does it need nothing from its host, and how much longer does it take? With ANCF14_BLESS=1 it runs
-// all models to their ends and writes the tables of docs/viewer.md: these figures, and the sizes of the pages. Times are those of the processor, on which other work of the computer has little
+// all models to their ends and writes the tables of docs/viewer/data.md: these figures, and the sizes of the pages. Times are those of the processor, on which other work of the computer has little
 // influence; they need Linux and bash.
 
 import assert from "node:assert/strict";
@@ -42,7 +42,7 @@ function solver() {
   return { exports, ask, reply };
 }
 
-/** The numbers in a text of docs/viewer.md. */
+/** The numbers in a text of docs/viewer/data.md. */
 function doubles(text) {
   const planes = inflateSync(Buffer.from(text, "base64"));
   const count = planes.length / 8;
@@ -156,9 +156,11 @@ test("every model gives the numbers of the program", { timeout: 900000 }, () => 
   console.log([`ancf14.wasm: ${(bytes.length / 1e6).toFixed(2)} MB, in a page ${((4 / 3) * deflateSync(bytes).length / 1e6).toFixed(2)} MB`, ...lines].join("\n"));
   assert.deepEqual(wrong, [], "these differ by more than their bound");
   if (isWhole) {
-    const path = join(models, "../docs/viewer.md");
+    const path = join(models, "../docs/viewer/data.md");
     const text = readFileSync(path, "utf8").replace(/\| example \| rows \| time[^]*?(?=\n\n)/, lines.join("\n"));
     // The rows of pages that are not examples stay.
-    writeFileSync(path, text.replace(/\| example \| instants [^]*?(?=\n\| 20 beams)/, sizes.join("\n")));
+    const written = text.replace(/\| example \| instants [^]*?(?=\n\| 20 beams)/, sizes.join("\n"));
+    for (const line of [lines.at(-1), sizes.at(-1)]) assert.ok(written.includes(line), `docs/viewer/data.md has no table for ${line}`);
+    writeFileSync(path, written);
   }
 });

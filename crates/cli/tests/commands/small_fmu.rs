@@ -87,3 +87,30 @@ fn mistakes_are_told() {
         text(&output.stderr)
     );
 }
+
+/// A flat shaft in round bearings: its matrices stand still in the frame that turns.
+const SHAFT: &str = r#"format = 1
+model = { name = "Shaft", gravity = [0, 0, 0] }
+material.steel = { young = 2.1e11, poisson = 0.3, density = 7850, damping = 1e-4 }
+section.flat = { shape = "rectangle", width = 0.02, height = 0.01 }
+beam.shaft = { material = "steel", section = "flat", from = [0, 0, 0], to = [1, 0, 0], elements = 4 }
+joint.motor = { type = "revolute", a = "ground", b = "shaft.start", axis = [1, 0, 0] }
+joint.bearing = { type = "cylindrical", a = "ground", b = "shaft.end", axis = [1, 0, 0] }
+drive.spin = { joint = "motor", coordinate = "angle", value = "10*t" }
+load.push = { at = "shaft@0.5", force = [0, 0, 0], input = true }
+output.middle = { at = "shaft@0.5", quantities = ["displacement"] }
+simulation = { stop = 1, step = 1e-3 }
+"#;
+
+/// A system in the frame that turns has the matrices of one position: a file may have them, an FMU would turn on.
+#[test]
+fn systems_that_turn_are_no_units() {
+    let directory = folder();
+    fs::write(directory.path().join("shaft.toml"), SHAFT).unwrap();
+    let arguments = |file| ["linearize", "shaft.toml", "--steady", "spin=20", "--library", "library.so", "-o", file];
+    let output = ancf14(directory.path(), &arguments("m.fmu"));
+    assert!(!output.status.success() && !directory.path().join("m.fmu").exists());
+    assert!(text(&output.stderr).contains("in the frame that turns"), "{}", text(&output.stderr));
+    let output = ancf14(directory.path(), &arguments("m.json"));
+    assert!(output.status.success(), "{}", text(&output.stderr));
+}

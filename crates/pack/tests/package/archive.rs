@@ -64,6 +64,7 @@ fn linear_systems_are_packed() {
         order: 8,
         reduction: Some(reduction),
         poles: vec![[0.0, 0.0], [-1.0, 2.0 * std::f64::consts::PI]],
+        warnings: vec!["it moves".to_owned()],
     };
     let contents = Contents { linear: Some(&origin), ..CONTENTS };
     for standard in [Standard::Fmi2, Standard::Fmi3] {
