@@ -164,7 +164,8 @@ impl System {
         let springs = self.springs.iter().filter(|spring| !spring.is_idle()).map(|spring| spring.coordinate);
         let springs = springs.filter(|coordinate| {
             let sides = self.sides(*coordinate).map(|side| side.coordinates(&self.mesh));
-            sides.into_iter().all(|side| {
+            // The ground has no coordinates: whether it holds the other side is a matter of that side.
+            sides.into_iter().filter(|side| !side.is_empty()).all(|side| {
                 let rate = self.relative_coordinates[*coordinate].rate(c, &only(velocity, side));
                 rate.abs() > ALLOWED * self.size.max(1.0)
             })

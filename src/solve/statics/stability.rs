@@ -19,8 +19,9 @@ const BLOCK: usize = 4;
 /// Most sweeps for it.
 const MOST_SWEEPS: usize = 50;
 /// What an unstable mode of the stiffness means under loads that have no potential.
-const UNDECIDED: &str = "follower loads and moments act, under which the stiffness alone does not decide: the equilibrium may be stable all the same, or \
-                         flutter earlier; a dynamic analysis with a small disturbance shows it";
+const UNDECIDED: &str = "forces without a potential act (follower loads, moments, the drag of a current), and the \
+                         stiffness alone does not decide: the equilibrium may be stable all the same, or flutter \
+                         earlier; a dynamic analysis with a small disturbance shows it";
 
 /// Error of a vector at which its eigenvalue, which has the square of it, is known.
 const ACCURATE: f64 = 1e-3;

@@ -306,3 +306,47 @@ fn modes_with_one_pole_are_followed_together() {
     let [one, other] = [0, 1].map(|mode| found.modes[mode][2].whirl);
     assert!(one != other && one != Whirl::None && other != Whirl::None, "{one:?} {other:?}");
 }
+
+/// A shaft with a disk in bearings, which `MOUNTS` holds.
+const SHAFT: &str = r#"format = 1
+model = { name = "Shaft", gravity = [0, 0, 0] }
+material.steel = { young = 2.1e11, poisson = 0.3, density = 7850 }
+section.rod = { shape = "circle", radius = 0.01 }
+beam.shaft = { material = "steel", section = "rod", from = [0, 0, 0], to = [1, 0, 0], elements = 4 }
+body.disk = { mass = 5, position = [0.5, 0, 0], inertia = [0.025, 0.0125, 0.0125] }
+joint.hub = { type = "weld", a = "shaft@0.5", b = "disk" }
+joint.left = { type = "revolute", a = "LEFT", b = "shaft.start", axis = [1, 0, 0] }
+joint.right = { type = "cylindrical", a = "RIGHT", b = "shaft.end", axis = [1, 0, 0] }
+drive.motor = { joint = "left", coordinate = "angle", value = 0 }
+simulation = { stop = 1, step = 1e-3 }
+"#;
+const RINGS: &str = r#"
+body.ring_1 = { mass = 1e-3, position = [0, 0, 0], inertia = [1e-6, 1e-6, 1e-6] }
+body.ring_2 = { mass = 1e-3, position = [1, 0, 0], inertia = [1e-6, 1e-6, 1e-6] }
+joint.mount_1 = { type = "bushing", a = "ground", b = "ring_1", stiffness = [1e9, 1e9, 1e9], rotational_stiffness = [1e8, 1e8, 1e8] }
+joint.mount_2 = { type = "bushing", a = "ground", b = "ring_2", stiffness = [1e9, 1e9, 1e9], rotational_stiffness = [1e8, 1e8, 1e8] }
+"#;
+
+/// Rings that bushings hold to the ground do not turn with the shaft, neither that of the drive nor the other one. With
+/// stiff bushings the whirl is that in rigid bearings; they give by `48 EI/L³/1e9` = 8e-5 of the shaft.
+#[test]
+fn rings_on_bushings_stand_still() {
+    let model = |left: &str, right: &str, mounts: &str| {
+        let (head, tail) = SHAFT.split_once("simulation").unwrap();
+        let text = format!("{head}simulation{tail}{mounts}").replace("LEFT", left).replace("RIGHT", right);
+        load(&text, &[])
+    };
+    let whirl = |model: &Simulation| {
+        let found = steady(model, 50.0).unwrap();
+        assert_eq!(frame(&found), Frame::Fixed);
+        let poles = found.poles(model).unwrap();
+        let mut swings: Vec<f64> = poles.iter().map(|pole| pole.value[1]).filter(|swing| *swing > 1.0).collect();
+        swings.sort_by(f64::total_cmp);
+        [swings[0], swings[1]]
+    };
+    let rigid = whirl(&model("ground", "ground", ""));
+    let soft = whirl(&model("ring_1", "ring_2", RINGS));
+    for (rigid, soft) in rigid.iter().zip(soft) {
+        assert!((soft / rigid - 1.0).abs() < 2e-4, "{soft} {rigid}");
+    }
+}

@@ -1,7 +1,7 @@
 //! `[drive.NAME]`: prescribes a free coordinate of a joint.
 
 use super::Parts;
-use super::joint::{self, Coordinate, JointSpec};
+use super::joint::{self, Coordinate, JointKind, JointSpec};
 use super::switch::{ACTIVE, SwitchSpec};
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
@@ -140,7 +140,11 @@ pub(super) fn check_coordinate(reader: &mut Reader<'_, '_>, coordinate: Coordina
         return;
     }
     let message = format!("the {} joint {} has no {}", joint.kind.word(), joint.name, coordinate.word());
-    reader.context.report.error(place, &message, &Coordinate::listing(known), joint::COORDINATES);
+    let help = match joint.kind {
+        JointKind::Slide => "to move it along the beam, join b to a moving [frame.NAME] by a joint of type inplane",
+        _ => joint::COORDINATES,
+    };
+    reader.context.report.error(place, &message, &Coordinate::listing(known), help);
 }
 
 /// `value` or `rate`, as the file has it.
