@@ -16,7 +16,7 @@ const STRETCHED: f64 = 1e-10;
 
 impl System {
     /// Changes of coordinates up to `largest`, over the system's size or rad, along which differences of fourth order
-    /// are right to [`STRETCHED`]. A straight change `r` stretches what turns by `r²`; the axial force of that leaves
+    /// are right to `STRETCHED`. A straight change `r` stretches what turns by `r²`; the axial force of that leaves
     /// `r⁴ EA L²/EI` beside the force of bending.
     pub fn straight_reach(&self, largest: f64) -> f64 {
         let slenderness = |section: Section| {
