@@ -1,7 +1,7 @@
 //! Sections, the ANCF14 element and its comparator ANCF24, bodies, joints, drives, springs and loads: no FMI, no files,
 //! no clock, no solver.
 //!
-//! The rooms are a stack, the lowest first: `geometry`, `body`, `input` and `water`, `beam` and `state`, `marker`,
+//! The rooms are a stack, the lowest first: `geometry`, `body`, `input` and `fluid`, `beam` and `state`, `marker`,
 //! `constraint` and `force`, `system`, `output`.
 //!
 //! Numbers behind "MECHANICS" and in parentheses refer to docs/mechanics.md. NOTATION of the code, SI throughout:
@@ -23,6 +23,7 @@ pub mod beam;
 pub mod body;
 pub mod constraint;
 pub mod contact;
+pub mod fluid;
 pub mod force;
 pub mod geometry;
 pub mod input;
@@ -30,4 +31,3 @@ pub mod marker;
 pub mod output;
 pub mod state;
 pub mod system;
-pub mod water;

@@ -20,4 +20,4 @@ mod trust;
 mod water;
 mod words;
 
-use ancf14_testing::{curves, golden, integrators, paths, planar_rod, random, running};
+use ancf14_testing::{curves, golden, integrators, pages, paths, planar_rod, random, running};

@@ -15,7 +15,7 @@ use crate::fmi::{
 /// First bytes of every serialized FMU state.
 const MAGIC: Magic = *b"ancf14st";
 /// Version of the layout: of the header and of all that models write.
-const VERSION: u32 = 18;
+const VERSION: u32 = 19;
 /// Bytes of the header: magic, version, length, checksum.
 pub const ROOM: usize = 8 + 4 + 8 + 4;
 

@@ -1,5 +1,4 @@
 //! Rigid bodies.
 
-pub mod in_water;
 pub mod kinematics;
 pub mod rigid_body;

@@ -2,7 +2,7 @@
 //! of time or by a host.
 
 use crate::math::Vec3;
-use crate::mechanics::water::flow::Seen;
+use crate::mechanics::fluid::flow::Seen;
 use serde::{Deserialize, Serialize};
 
 /// Components of a load at one instant, in the load's own axes.
@@ -74,8 +74,8 @@ pub struct Excitation {
     pub stations: Vec<f64>,
     /// Efforts of the actuators, in their order, N m or N; of those that follow coordinates the share that acts.
     pub efforts: Vec<f64>,
-    /// Share of the drag of water that acts, 0 to 1; its buoyancy follows gravity.
-    pub water: f64,
+    /// Share of the drag of fluids that acts, 0 to 1; their buoyancy follows gravity.
+    pub drag: f64,
     /// The water at four points of each element in it, where a step looks at it once; empty: it is looked at where the
     /// elements are.
     pub seen: Vec<[Seen; 4]>,
@@ -89,7 +89,7 @@ impl Excitation {
 
     /// Takes the values of another one, keeping its own memory.
     pub fn copy_from(&mut self, other: &Self) {
-        (self.time, self.gravity, self.water) = (other.time, other.gravity, other.water);
+        (self.time, self.gravity, self.drag) = (other.time, other.gravity, other.drag);
         self.wrenches.clone_from(&other.wrenches);
         self.stations.clone_from(&other.stations);
         self.efforts.clone_from(&other.efforts);
@@ -101,7 +101,7 @@ impl Excitation {
     pub fn set_between(&mut self, start: &Self, end: &Self, share: f64) {
         self.copy_from(end);
         self.gravity = start.gravity * (1.0 - share) + end.gravity * share;
-        self.water = start.water * (1.0 - share) + end.water * share;
+        self.drag = start.drag * (1.0 - share) + end.drag * share;
         for (number, wrench) in self.wrenches.iter_mut().enumerate() {
             let from = start.wrenches.get(number).copied().unwrap_or_default();
             wrench.force = from.force * (1.0 - share) + wrench.force * share;

@@ -1,6 +1,7 @@
 //! What is read off a system: reactions, stress, section forces, mode shapes, and signs of a mesh that is too coarse or
 //! too fine.
 
+pub mod axial_forces;
 pub mod beam_scale;
 pub mod clamped_end;
 pub mod contact_loads;

@@ -21,8 +21,8 @@ use crate::mechanics::input::excitation::Wrench;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Passage;
 use crate::mechanics::marker::sensor::{Facing, Section};
+use crate::mechanics::system::fluids::fluids_alone;
 use crate::mechanics::system::inner_parts::InnerPart;
-use crate::mechanics::system::water::water_alone;
 
 /// Force and moment of a section in its axes: of the part towards the end on the part towards the start.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -90,20 +90,20 @@ impl SectionLoads<'_> {
                 add_vec3(&mut inside, start, &(bearing.force * *weight));
             }
         });
-        self.in_water(element, |own, water, moving| {
-            own.add_water(water, moving, 1.0, &mut inside);
+        self.in_fluids(element, |own, water, moving| {
+            own.add_fluid(water, moving, 1.0, &mut inside);
         });
         ElementBalance { loads: self, element, balance: own.balance(&c.beams, &self.instant(element), &inside), along }
     }
 
-    /// Calls `with` with element `element` in the water that acts on it now; without water it is not called.
-    fn in_water(&self, element: usize, with: impl FnOnce(&Element, &Surroundings, &Moving)) {
+    /// Calls `with` with element `element` in each fluid that may reach it now.
+    fn in_fluids(&self, element: usize, with: impl FnMut(&Element, &Surroundings, &Moving)) {
         let JointLoads { system, state, c, .. } = *self.joints;
-        if system.is_in_water() {
+        if system.is_in_fluid() {
             let Instant { moves, velocity, gravity, .. } = self.instant(element);
-            let water = water_alone(gravity, state.instant());
+            let water = fluids_alone(gravity, state.instant());
             let motion = moves.then_some([velocity, self.acceleration]);
-            system.in_water(element, (c.beams.q, motion), &water, with);
+            system.in_fluids(element, (c.beams.q, motion), &water, with);
         }
     }
 
@@ -190,8 +190,8 @@ impl ElementBalance<'_> {
             Acting { position, force: bearing.force, moment: Vec3::zeros() }.add_about(&here, 1.0, &mut sum);
         });
         if xi > 0.0 {
-            self.loads.in_water(self.element, |own, water, moving| {
-                own.add_water_up_to(water, moving, xi, &here, &mut sum);
+            self.loads.in_fluids(self.element, |own, water, moving| {
+                own.add_fluid_up_to(water, moving, xi, &here, &mut sum);
             });
         }
         for part in system.inner_parts_of(self.element) {

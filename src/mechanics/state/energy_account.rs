@@ -1,7 +1,7 @@
 //! The account of a motion: its energy changes by the work of loads, actuators and drives, by what dampers take, and by
 //! the drift, which is the integrator's.
 //!
-//! `energy.total(t) − energy.total(0) = loads + actuators + drives + water − dissipated + drift`, summed over the steps
+//! `energy.total(t) − energy.total(0) = loads + actuators + drives + fluids − dissipated + drift`, summed over the steps
 //! as they take their forces.
 
 use serde::{Deserialize, Serialize};
@@ -17,14 +17,14 @@ pub struct Work {
     pub drives: f64,
     /// Taken by dampers, friction, stops and material damping.
     pub dissipated: f64,
-    /// Done by water: buoyancy, drag, and the inertia of what moves with beams.
-    pub water: f64,
+    /// Done by water and air: buoyancy, drag, and the inertia of what moves with beams.
+    pub fluids: f64,
 }
 
 impl Work {
     /// What it changes the energy by.
     pub fn sum(&self) -> f64 {
-        self.loads + self.actuators + self.drives + self.water - self.dissipated
+        self.loads + self.actuators + self.drives + self.fluids - self.dissipated
     }
 
     /// Adds `factor` times another one.
@@ -33,7 +33,7 @@ impl Work {
         self.actuators += factor * other.actuators;
         self.drives += factor * other.drives;
         self.dissipated += factor * other.dissipated;
-        self.water += factor * other.water;
+        self.fluids += factor * other.fluids;
     }
 }
 

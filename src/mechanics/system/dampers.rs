@@ -132,7 +132,7 @@ impl System {
         tangent: &mut Blocks,
     ) {
         self.add_effort_damping(c, velocity, excitation, factor, tangent);
-        self.add_water_damping(c, velocity, excitation, factor, tangent);
+        self.add_fluid_damping(c, velocity, excitation, factor, tangent);
         self.add_spring_and_mass_damping(c, factor, tangent, |spring, coordinate| {
             spring.damping_matrix(coordinate, c, velocity)
         });
@@ -147,7 +147,7 @@ impl System {
         let rest = vec![0.0; self.coordinates()];
         self.set_material_damping_at_rest(c, tangent);
         self.add_effort_damping(c, &rest, excitation, 1.0, tangent);
-        self.add_water_damping(c, &rest, excitation, 1.0, tangent);
+        self.add_fluid_damping(c, &rest, excitation, 1.0, tangent);
         self.add_spring_and_mass_damping(c, 1.0, tangent, |spring, coordinate| spring.damping_at_rest(coordinate, c));
         self.add_contact_damping(c, &rest, 1.0, tangent);
         self.add_foundation_damping(c, &rest, 1.0, tangent);

@@ -69,7 +69,7 @@ impl System {
         self.add_contact_forces(c, passage, forces);
         self.add_foundation_forces(c, passage, 1.0, forces);
         self.add_rope_forces(c, passage, 1.0, forces);
-        self.add_water(c, passage, excitation, 1.0, forces);
+        self.add_fluid(c, passage, excitation, 1.0, forces);
     }
 
     /// [`Self::forces`], and sets the first blocks of `tangent` to `scale` times their derivative by `q` (over a step:
@@ -104,7 +104,7 @@ impl System {
         self.add_contacts_and_set_tangent(c, passage, scale, forces, tangent);
         self.add_foundations_and_tangent(c, passage, scale, forces, tangent);
         self.add_ropes_and_set_tangent(c, passage, scale, forces, tangent);
-        self.add_water_and_tangent(c, passage, excitation, scale, forces, tangent);
+        self.add_fluid_and_tangent(c, passage, excitation, scale, forces, tangent);
     }
 
     // Each on its own: as parts of one function the matrices of beams, loads and springs would stand on the stack

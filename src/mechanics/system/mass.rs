@@ -2,9 +2,9 @@
 //! follows the sections (MECHANICS 3.3b), which has velocity terms of its own.
 
 use super::System;
+use super::fluids::FluidAt;
 use super::frame_cache::FrameCache;
 use super::tangent_layout::TangentLayout;
-use super::water::WaterAt;
 use crate::math::blocks::Blocks;
 use crate::math::jet::Jet;
 use crate::mechanics::beam::ancf14::element::Element;
@@ -23,35 +23,35 @@ pub struct MassAt<'a> {
     pub drives: &'a [Jet],
     /// Frames of the nodes, for rotary inertia; none: the constant part of the matrix alone.
     pub frames: &'a [NodeFrame],
-    /// Where beams are in the water that moves with them; none: without it.
-    pub water: Option<WaterAt<'a>>,
+    /// Where beams are in the fluid that moves with them; none: without it.
+    pub fluids: Option<FluidAt<'a>>,
 }
 
 impl<'a> MassAt<'a> {
     /// The constant part, with winches as drawn.
-    pub const CONSTANT: MassAt<'static> = MassAt { drives: &[], frames: &[], water: None };
+    pub const CONSTANT: MassAt<'static> = MassAt { drives: &[], frames: &[], fluids: None };
 
     /// The mass matrix at the frames of `cache`.
     pub fn new(drives: &'a [Jet], cache: &'a FrameCache) -> Self {
-        Self { drives, frames: &cache.frames, water: None }
+        Self { drives, frames: &cache.frames, fluids: None }
     }
 
     /// The same with the added mass of beams in water at the coordinates `q` and `time`, s.
     #[must_use]
     pub fn wet(self, q: &'a [f64], time: f64) -> Self {
-        Self { water: Some(WaterAt { q, time, seen: &[] }), ..self }
+        Self { fluids: Some(FluidAt { q, time, seen: &[] }), ..self }
     }
 
     /// The same in the middle of a step that looks at the water once, as `excitation` has it.
     #[must_use]
     pub fn wet_in(self, q: &'a [f64], excitation: &'a Excitation) -> Self {
-        Self { water: Some(WaterAt { q, time: excitation.time, seen: &excitation.seen }), ..self }
+        Self { fluids: Some(FluidAt { q, time: excitation.time, seen: &excitation.seen }), ..self }
     }
 }
 
 impl<'a> From<&Configuration<'a>> for MassAt<'a> {
     fn from(c: &Configuration<'a>) -> Self {
-        Self { drives: c.beams.drives, frames: c.beams.frames, water: None }
+        Self { drives: c.beams.drives, frames: c.beams.frames, fluids: None }
     }
 }
 
@@ -139,8 +139,8 @@ impl System {
                 block[local * BODY + local] += factor * body.inertia(local);
             }
         }
-        if let Some(water) = at.water {
-            self.add_added_mass(water, factor, tangent);
+        if let Some(fluids) = at.fluids {
+            self.add_added_mass(fluids, factor, tangent);
         }
     }
 
@@ -155,8 +155,8 @@ impl System {
                 product[body.start + local] = body.inertia(local) * vector[body.start + local];
             }
         }
-        if let Some(water) = at.water {
-            self.add_added_mass_times(water, vector, product);
+        if let Some(fluids) = at.fluids {
+            self.add_added_mass_times(fluids, vector, product);
         }
     }
 

@@ -53,7 +53,7 @@ impl System {
     /// Whether a force may differ between the step and the middle of its time.
     pub fn has_lagging_forces(&self) -> bool {
         !self.actuators.is_empty()
-            || self.is_in_water()
+            || self.is_in_fluid()
             || self.loads.iter().any(Load::may_turn)
             || self.springs.iter().any(|own| !own.is_idle())
             || !self.contacts.is_empty()

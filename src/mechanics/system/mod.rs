@@ -8,6 +8,8 @@ mod efforts;
 pub mod energy;
 mod equations;
 mod finer;
+pub mod fluids;
+mod fluids_on_bodies;
 mod foundations;
 pub mod frame_cache;
 pub mod gyroscopic;
@@ -27,8 +29,6 @@ mod sticking;
 mod switching;
 mod tangent_layout;
 pub mod variation;
-pub mod water;
-mod wet_bodies;
 mod winches;
 pub mod work;
 
@@ -48,11 +48,11 @@ use crate::mechanics::beam::ancf14::kinematics::Holonomy;
 use crate::mechanics::beam::configuration::BeamConfiguration;
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::beam::node::Node;
-use crate::mechanics::body::in_water::WetBody;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::contact::Contact;
+use crate::mechanics::fluid::Fluid;
 use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::foundation::Foundation;
 use crate::mechanics::force::load::{Direction, Load, Site};
@@ -70,7 +70,6 @@ use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::marker::relative_coordinate::{Measure, RelativeCoordinate};
 use crate::mechanics::marker::sensor::Sensor;
 use crate::mechanics::state::State;
-use crate::mechanics::water::Water;
 use std::ops::Range;
 
 /// Coordinates of a position, the first ones of every node and body.
@@ -137,10 +136,8 @@ pub struct System {
     pub held: Vec<bool>,
     /// Parts that act between the nodes of elements, with the element, in the order of the elements.
     pub inner_parts: Vec<(usize, InnerPart)>,
-    /// The water that beams are in; none: they are dry.
-    pub water: Option<Box<Water>>,
-    /// The bodies that it acts on.
-    pub floating: Vec<WetBody>,
+    /// The fluids that beams and bodies are in.
+    pub fluids: Vec<Fluid>,
 }
 
 /// The largest size of numbers.
@@ -169,7 +166,7 @@ impl System {
     /// Sets `excitation` to what acts at `time`, s; `targets` has what a host gives.
     pub fn excite(&self, time: f64, targets: &Targets, excitation: &mut Excitation) {
         (excitation.time, excitation.gravity) = (time, self.gravity);
-        excitation.water = if self.water.is_some() { 1.0 } else { 0.0 };
+        excitation.drag = if self.is_in_fluid() { 1.0 } else { 0.0 };
         excitation.wrenches.clear();
         excitation.wrenches.extend(self.loads.iter().zip(&targets.loads).map(|(load, target)| load.at(time, target)));
         excitation.stations.clear();
@@ -189,15 +186,7 @@ impl System {
             .actuators
             .iter()
             .any(|actuator| actuator.readings().iter().any(|own| own.coordinate != actuator.coordinate))
-            || self.is_dragged_along()
-    }
-
-    /// Whether moving water drags beams or bodies along.
-    fn is_dragged_along(&self) -> bool {
-        let is_dragged = |own: &WetBody| own.drag.amax() > 0.0;
-        self.water
-            .as_ref()
-            .is_some_and(|water| water.drags() || water.medium.moves() && self.floating.iter().any(is_dragged))
+            || self.fluids.iter().any(Fluid::drags)
     }
 
     /// What drives and frames prescribe at the start, `time` s; `from` is where drives by a rate are, and what is held
@@ -264,7 +253,7 @@ impl System {
             || self.ropes.iter().any(|own| own.elasticity.damping != 0.0)
             || self.has_material_damping()
             || self.has_mass_damping()
-            || self.is_dragged_along()
+            || self.fluids.iter().any(Fluid::drags)
     }
 
     /// Number of coordinates: those of the nodes, then those of the bodies.

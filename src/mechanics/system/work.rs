@@ -29,8 +29,8 @@ pub struct StepEnergy {
     pub by_winches: f64,
     /// The part of it that dampers take, J.
     pub dissipated: f64,
-    /// The part of it that water does, J.
-    pub by_water: f64,
+    /// The part of it that fluids do, J.
+    pub by_fluids: f64,
 }
 
 impl System {
@@ -113,9 +113,9 @@ impl System {
         found.by_winches += ropes.by_drums;
         found.by_frames += ropes.by_frames;
         found.dissipated += ropes.dissipated;
-        if self.water.is_some() {
-            found.by_water = self.add_water_with_work(c, &passage, excitation, step.increment, forces);
-            found.work += found.by_water;
+        if self.is_in_fluid() {
+            found.by_fluids = self.add_fluid_with_work(c, &passage, excitation, step.increment, forces);
+            found.work += found.by_fluids;
         }
         found
     }

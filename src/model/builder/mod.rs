@@ -3,6 +3,7 @@
 //! A file a kind of part; what may change while the system runs is in tune.rs.
 
 mod contacts;
+mod fluids;
 mod foundations;
 mod heat;
 mod joints;
@@ -11,7 +12,6 @@ mod parts;
 mod ropes;
 mod switches;
 mod tune;
-mod water;
 
 pub use tune::{aim, retune, switches, undirected};
 
@@ -95,8 +95,7 @@ pub fn build(document: &Document, start: f64) -> Result<Built, Diagnostics> {
     }
     let (mut system, mut state) = builder.system.finish(vector(document, document.model.gravity));
     system.origin = origin;
-    system.water = water::water(document, &lines, &system);
-    system.floating = water::floating(document, &system);
+    system.fluids = fluids::fluids(document, &lines, &system);
     state.balance.account = document.simulation.totals.contains(&Total::Work).then(EnergyAccount::default);
     // The size of the mechanism is known now.
     tune::set_springs(document, &mut system);

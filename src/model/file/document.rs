@@ -1,7 +1,9 @@
 //! A model file as typed data: everything is there, checked as far as it can be without building the mechanism.
 
 use super::collisions;
+use super::entries::SINGLE;
 use super::entries::actuator::Action;
+use super::entries::air::AirSpec;
 use super::entries::drive::DriveSpec;
 use super::entries::function;
 use super::entries::load::Target;
@@ -42,6 +44,8 @@ pub struct Document {
     pub model: ModelSpec,
     /// The water around beams; none: they are dry.
     pub water: Option<WaterSpec>,
+    /// The air above it; none: nothing is in air.
+    pub air: Option<AirSpec>,
     /// All that has a name.
     pub parts: Parts,
     /// What is computed.
@@ -88,6 +92,7 @@ impl Document {
 
         let model = tree.single(&mut context, "model").map(ModelSpec::read);
         let water = tree.optional(&mut context, "water").map(WaterSpec::read);
+        let air = tree.optional(&mut context, "air").map(AirSpec::read);
         let mut parts = Parts::read(&mut context, |word| tree.table(word).unwrap_or_default());
         if let Some(reader) = tree.optional(&mut context, "seabed") {
             seabed::read(reader, water.as_ref(), &mut parts);
@@ -110,7 +115,7 @@ impl Document {
         let parameters = Parameter::table(&numbers);
         collisions::report(&parameters, &numbers, &parts.outputs, &names, &mut report);
         let (Some(model), Some(simulation)) = (model, simulation) else { return (None, report) };
-        let document = Self { source: source.clone(), numbers, parameters, model, water, parts, simulation };
+        let document = Self { source: source.clone(), numbers, parameters, model, water, air, parts, simulation };
         (Some(document), report)
     }
 
@@ -314,16 +319,7 @@ impl Top {
 
     /// What is left over, and whether there is anything to move.
     fn finish(self, context: &mut Context<'_>) {
-        let known = || {
-            SECTIONS.iter().map(|(word, _)| *word).chain([
-                "format",
-                "model",
-                "parameters",
-                "seabed",
-                "simulation",
-                "water",
-            ])
-        };
+        let known = || SECTIONS.iter().map(|(word, _)| *word).chain(["format", "parameters"]).chain(SINGLE);
         for entry in &self.0 {
             let message = format!("unknown section or key `{}`", entry.key);
             let help = format!("known here: {}", known().collect::<Vec<_>>().join(", "));

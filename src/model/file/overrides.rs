@@ -1,7 +1,7 @@
 //! `--set steel.young=2.1e11`: an override replaces or adds a value in the tree, before anything is read. So it is
 //! read, checked and reported as if it stood in the file, except that messages quote the override.
 
-use super::entries::keys_of;
+use super::entries::{SINGLE, keys_of};
 use crate::model::text::diagnostic::{Place, Report};
 use crate::model::text::names::{SECTIONS, is_legal, suggestion};
 use crate::model::text::tree::{Entry, Item, Node, parse_override};
@@ -145,10 +145,11 @@ fn find(tree: &mut [Entry], path: &str, place: Place, report: &mut Report<'_>) -
     }
     let names = names(tree);
     let message = match path.split_once('.') {
-        Some(("simulation", key)) => return single("simulation", key),
-        Some(("water", key)) if tree.iter().any(|entry| entry.key == "water") => return single("water", key),
-        Some(("seabed", key)) if tree.iter().any(|entry| entry.key == "seabed") => return single("seabed", key),
         Some((name, key)) => {
+            let has = |section: &str| section == "simulation" || tree.iter().any(|entry| entry.key == section);
+            if let Some(section) = SINGLE.into_iter().find(|own| *own == name && has(own)) {
+                return single(section, key);
+            }
             let candidates = candidates(&names, name, key);
             if !candidates.is_empty() {
                 return choose(tree, path, candidates, place, report);

@@ -298,7 +298,7 @@ pub const QUANTITIES: [Row; 53] = [
         "m/s",
         "velocity of the water in global axes, 0 above its surface",
     ),
-    BEAM.row(Quantity::Drag, "drag", 3, "N/m", "drag of the water per undeformed length, in global axes"),
+    BEAM.row(Quantity::Drag, "drag", 3, "N/m", "drag of water and air per undeformed length, in global axes"),
     POINT.row(
         Quantity::Elevation,
         "elevation",

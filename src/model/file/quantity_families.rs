@@ -23,10 +23,15 @@ impl Quantity {
         self.is_of_section() && self != Self::Stress
     }
 
-    /// Whether it is of the water.
+    /// Whether only a model with water has it.
     pub fn is_of_water(self) -> bool {
         use Quantity::*;
-        matches!(self, WallTension | Submergence | Clearance | FluidVelocity | Drag | Elevation)
+        matches!(self, WallTension | Submergence | Clearance | Elevation)
+    }
+
+    /// Whether it is of the flow of water or air.
+    pub fn is_of_flow(self) -> bool {
+        matches!(self, Self::FluidVelocity | Self::Drag)
     }
 
     /// Whether it is of a line on the seabed.

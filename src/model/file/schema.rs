@@ -87,7 +87,7 @@ impl Rule {
         self
     }
 
-    pub(super) const fn in_water(mut self) -> Self {
+    pub(super) const fn in_flow(mut self) -> Self {
         self.variable = Variable::Height;
         self
     }

@@ -7,7 +7,7 @@ use super::scalar::Scalar;
 use super::scope::{Found, Meaning, Scope, entries_of};
 use super::tables::{COPY, FUNCTION, INCLUDE, PARAMETERS, Role, role};
 use crate::model::expression::{Variable, compile};
-use crate::model::file::entries::keys_of;
+use crate::model::file::entries::{SINGLE, keys_of};
 use crate::model::text::diagnostic::{Place, Report, Source};
 use crate::model::text::names::{SECTIONS, suggestion};
 use crate::model::text::source::Span;
@@ -20,8 +20,6 @@ const MOST_PARTS: usize = 10_000;
 const MOST_VALUES: usize = 1_000_000;
 /// Parameters that follow from one another, for a count.
 const DEPTH: usize = 50;
-/// What an included file may not have.
-const OF_MODELS: [&str; 4] = ["model", "seabed", "simulation", "water"];
 
 /// The flat model while it is filled.
 #[derive(Debug)]
@@ -157,14 +155,14 @@ impl<'a> Flattener<'a> {
                 return;
             }
             let message = format!("an included file has a section [{}]", entry.key);
-            let help = match OF_MODELS.contains(&entry.key.as_str()) {
+            let help = match SINGLE.contains(&entry.key.as_str()) {
                 true => "only the model file itself has it",
                 false => "",
             };
             let label = "parts, parameters, copies and includes were expected";
             return self.error(scope, entry.key_place, &message, label, help);
         }
-        let is_known = OF_MODELS.contains(&entry.key.as_str());
+        let is_known = SINGLE.contains(&entry.key.as_str());
         for inner in inner {
             let is_number = is_known && role(&entry.key, &inner.key, false) != Role::Word;
             let item = if is_number { self.numbers(scope, &inner.item) } else { inner.item.clone() };

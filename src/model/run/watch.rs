@@ -3,6 +3,7 @@
 mod alternation;
 mod contacts;
 mod ends;
+mod limp;
 mod mesh;
 mod ropes;
 mod stops;
@@ -11,6 +12,7 @@ mod switches;
 use self::alternation::AlternationWatch;
 use self::contacts::ContactWatch;
 use self::ends::EndWatch;
+use self::limp::LimpWatch;
 use self::mesh::MeshWatch;
 use self::ropes::RopeWatch;
 use self::stops::StopWatch;
@@ -35,6 +37,7 @@ pub struct Watch {
     damps: bool,
     mesh: MeshWatch,
     ends: EndWatch,
+    limp: LimpWatch,
     alternation: AlternationWatch,
     stops: StopWatch,
     contacts: ContactWatch,
@@ -70,6 +73,7 @@ impl Watch {
         let stops = self.stops.look(system, state);
         let contacts = self.contacts.look(system, state, frames);
         let ropes = self.ropes.look(system, state, frames);
+        self.limp.look(system, state, frames);
         let all = twist.into_iter().chain(mesh).chain(ends).chain(alternation).chain(stops).chain(contacts);
         all.chain(ropes).chain(self.energy(state.balance.alarm())).collect()
     }
@@ -83,6 +87,7 @@ impl Watch {
             .chain(energy)
             .chain(switches::idle(system, span))
             .chain(self.ropes.conclude(system))
+            .chain(self.limp.conclude(system))
             .collect()
     }
 

@@ -4,6 +4,7 @@
 //! A number that is wrong itself is reported elsewhere: what hangs on it is passed over here.
 
 mod contacts;
+mod fluids;
 mod foundations;
 mod heat;
 mod meshes;
@@ -13,7 +14,6 @@ mod ropes;
 mod sections;
 mod slides;
 mod twist;
-mod water;
 mod winches;
 
 use super::file::Folder;
@@ -127,7 +127,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
     document.contacts.iter().for_each(|contact| checker.check_contact(contact));
     document.foundations.iter().for_each(|foundation| checker.check_foundation(foundation));
     document.ropes.iter().for_each(|rope| checker.check_rope(rope));
-    checker.check_water();
+    checker.check_fluids();
     document.gears.iter().for_each(|gear| checker.check_ratio(gear));
     document.stops.iter().for_each(|stop| checker.check_limits(stop));
     for actuator in &document.actuators {

@@ -21,7 +21,8 @@ pub enum Measure {
     Whole(Part, Quantity),
     /// Kinetic, elastic, gravity and total energy.
     Energy,
-    /// Work of loads, actuators and drives, and energy that dampers and the integrator take; `true`: of water, too.
+    /// Work of loads, actuators and drives, and energy that dampers and the integrator take; `true`: of water and air,
+    /// too.
     Account(bool),
     /// Linear and angular momentum.
     Momentum,
@@ -46,12 +47,16 @@ pub(super) const ACCOUNT: [(&str, &str); 5] = [
 /// The result that a mechanism in water has besides.
 pub(super) const OF_WATER: (&str, &str) = (
     "work.water",
-    "Work of water since the start: of its buoyancy, its drag and its inertia, that of the added mass included",
+    "Work of water and air since the start: of buoyancy, drag and inertia, that of the added mass included",
 );
+
+/// The same of one in air alone; with water it counts there.
+pub(super) const OF_AIR: (&str, &str) =
+    ("work.air", "Work of air since the start: of its drag, its inertia and its buoyancy");
 
 /// Whether a result of this name is one of the account of energy.
 pub fn is_of_account(name: &str) -> bool {
-    ACCOUNT.iter().chain([&OF_WATER]).any(|(own, _)| *own == name)
+    ACCOUNT.iter().chain([&OF_WATER, &OF_AIR]).any(|(own, _)| *own == name)
 }
 
 impl Measure {
@@ -64,7 +69,7 @@ impl Measure {
             }
             Self::Rope(.., count) => *count,
             Self::Energy => 4,
-            Self::Account(in_water) => ACCOUNT.len() + usize::from(*in_water),
+            Self::Account(in_fluid) => ACCOUNT.len() + usize::from(*in_fluid),
             Self::Momentum => 6,
             Self::Path => 2,
             Self::Statistics => 3,

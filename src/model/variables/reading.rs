@@ -107,28 +107,26 @@ pub(super) fn push_point(
     }
 }
 
-/// Appends a quantity of the water at a point.
+/// Appends a quantity of the water or the air at a point.
 fn push_of_water(values: &mut Vec<f64>, moment: &Moment, c: &Configuration, number: usize, quantity: Quantity) {
     let Moment { system, state, .. } = *moment;
     let (sensor, time) = (&system.sensors[number], state.instant());
-    let medium = &system.water.as_ref().expect("the file is refused: without water it has no such quantity").medium;
     let position = sensor.marker.pose(c).place;
-    let depth = medium.height(&position, time) - position.z;
+    if quantity == Quantity::FluidVelocity {
+        return values.extend(system.flow_at(&position, time).iter());
+    }
+    if quantity == Quantity::Drag {
+        let drag = sensor.in_element().map(|point| system.drag_at(point, c, &state.velocity, time));
+        return values.extend(drag.unwrap_or_else(Vec3::zeros).iter());
+    }
+    let medium = &system.water().expect("the file is refused: without water it has no such quantity").medium;
     match quantity {
-        Quantity::Submergence => values.push(depth),
+        Quantity::Submergence => values.push(medium.height(&position, time) - position.z),
         Quantity::Clearance => {
             let bottom = medium.bottom(&position).expect("the file is refused: the water has a depth");
             values.push(position.z - bottom);
         }
-        Quantity::Elevation => values.push(medium.height(&position, time) + system.origin.z),
-        Quantity::FluidVelocity => {
-            let flow = if depth >= 0.0 { medium.flow(&position, time).velocity } else { Vec3::zeros() };
-            values.extend(flow.iter());
-        }
-        _ => {
-            let drag = sensor.in_element().and_then(|point| system.drag_at(point, c, &state.velocity, time));
-            values.extend(drag.unwrap_or_else(Vec3::zeros).iter());
-        }
+        _ => values.push(medium.height(&position, time) + system.origin.z),
     }
 }
 
@@ -284,10 +282,10 @@ pub(super) fn push_total(values: &mut Vec<f64>, measure: &Measure, moment: &Mome
             values.extend(parts);
             values.push(parts.iter().sum());
         }
-        Measure::Account(in_water) => {
+        Measure::Account(in_fluid) => {
             let EnergyAccount { work, drift, .. } = state.balance.account.unwrap_or_default();
             values.extend([work.loads, work.actuators, work.drives, work.dissipated, drift]);
-            values.extend(in_water.then_some(work.water));
+            values.extend(in_fluid.then_some(work.fluids));
         }
         Measure::Momentum => {
             let (linear, angular) = system.momentum(&state.q, &state.momentum);

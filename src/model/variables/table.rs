@@ -3,7 +3,7 @@
 
 use super::dependencies::{self, Found, Givens};
 use super::inputs::Inputs;
-use super::measure::{ACCOUNT, Measure, OF_WATER};
+use super::measure::{ACCOUNT, Measure, OF_AIR, OF_WATER};
 use super::nominal::Scales;
 use super::reading::{
     Moment, of_connection, of_part, push_contact, push_foundation, push_joint, push_point, push_rope, push_total,
@@ -112,11 +112,11 @@ impl Table {
         }
         table.measures.push(Measure::Energy);
         if has(Total::Work) {
-            let in_water = document.water.is_some();
-            let of_water = in_water.then_some(&OF_WATER);
-            let rows = ACCOUNT.iter().chain(of_water);
+            let of_air = document.air.is_some().then_some(&OF_AIR);
+            let of_fluids = document.water.as_ref().map(|_| &OF_WATER).or(of_air);
+            let rows = ACCOUNT.iter().chain(of_fluids);
             rows.for_each(|(name, meaning)| table.push_result(name, 1, "J", meaning));
-            table.measures.push(Measure::Account(in_water));
+            table.measures.push(Measure::Account(of_fluids.is_some()));
         }
         let (shown, about_origin) = (has(Total::Momentum), "Angular momentum about the origin, in global axes");
         table.push_total(shown, "momentum.linear", 3, "kg.m/s", "Linear momentum in global axes");

@@ -13,7 +13,7 @@ mod scene;
 mod shapes;
 mod stations;
 
-pub use crate::mechanics::water::waves::Component as Wave;
+pub use crate::mechanics::fluid::waves::Component as Wave;
 pub use profile::{Profile, Solid};
 pub use recorder::{Recording, Track};
 pub use scene::{BeamLook, BodyLook, BottomLook, JointLook, LoadLook, RopeLook, Scene, SurfaceLook, WaterLook};

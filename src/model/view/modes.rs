@@ -132,13 +132,14 @@ impl Simulation {
             }
         });
         let moving = state.velocity.iter().any(|value| *value != 0.0);
+        let has_preload = self.document().simulation.preload.is_some();
         Ok(Modes {
             modes: modes.collect(),
             places,
             nodes,
             lines: drawn_lines(system, &state.q),
             freedoms: found.freedoms,
-            warnings: warnings((system, state), &found, &ratios, moving),
+            warnings: warnings((system, state), &found, &ratios, moving, has_preload),
         })
     }
 }
@@ -187,12 +188,21 @@ const MOST_OF_MANY: f64 = 0.65;
 const FEW: usize = 6;
 
 /// What the user should know of the modes found.
-fn warnings((system, state): (&System, &State), found: &modes::Modes, ratios: &[f64], moving: bool) -> Vec<String> {
+fn warnings(
+    (system, state): (&System, &State),
+    found: &modes::Modes,
+    ratios: &[f64],
+    moving: bool,
+    has_preload: bool,
+) -> Vec<String> {
     let mut warnings = Vec::new();
     if found.imbalance.is_nan() || found.imbalance > BALANCED {
-        warnings.push(String::from(
-            "the mechanism is not in equilibrium: these are the modes of its stiffness in this position; for those about its equilibrium \
-             take simulation.initial = \"equilibrium\"",
+        let remedy = match has_preload {
+            true => "for those under the preload, let what holds it, a joint, a drive or a load, act beyond t = 0",
+            false => "for those about its equilibrium take simulation.initial = \"equilibrium\"",
+        };
+        warnings.push(format!(
+            "the mechanism is not in equilibrium: these are the modes of its stiffness in this position; {remedy}"
         ));
     }
     if found.skewness > SYMMETRIC {

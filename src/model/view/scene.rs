@@ -5,13 +5,13 @@ use super::rope_line;
 use super::stations::{Stations, ranges};
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::Beam;
+use crate::mechanics::fluid::medium::Medium;
+use crate::mechanics::fluid::waves::Component;
 use crate::mechanics::force::load::Site;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::system::System;
-use crate::mechanics::water::medium::Medium;
-use crate::mechanics::water::waves::Component;
 use crate::model::file::document::Document;
 use crate::model::file::entries::joint::JointKind;
 use crate::model::file::entries::load;
@@ -324,7 +324,7 @@ impl Scene {
             points: points.map(|output| output.name.clone()).collect(),
             surfaces: surfaces.collect(),
             ropes: ropes.collect(),
-            water: system.water.as_deref().map(|water| WaterLook::new(&water.medium)),
+            water: system.water().map(|water| WaterLook::new(&water.medium)),
         }
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn shares(
     [driving, damping]: [f64; 2],
 ) -> Work {
     let [loads, actuators] = system.loads_and_actuators(c, &Passage::with_velocity(velocity), excitation, velocity);
-    Work { loads, actuators, drives: driving + system.power_of_frames(c, velocity), dissipated: damping, water: 0.0 }
+    Work { loads, actuators, drives: driving + system.power_of_frames(c, velocity), dissipated: damping, fluids: 0.0 }
 }
 
 /// The energies (J) and the power of what acts from outside (W), also by its origin, at `state`, whose last step is not

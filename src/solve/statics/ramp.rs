@@ -26,11 +26,11 @@ impl Statics {
     pub(super) fn ramp(&mut self, system: &System, state: &mut State, time: f64) -> Result<(), Error> {
         system.excite(time, &state.targets, &mut self.target);
         system.prescribe(state, time, &mut self.target_motion);
-        if system.is_in_water() && system.follows_no_potential(&self.target) && state.excitation.water == 0.0 {
+        if system.is_in_fluid() && system.follows_no_potential(&self.target) && state.excitation.drag == 0.0 {
             // A line that is laid is near its equilibrium in still water, and near none under a trace of its weight.
-            let (drawn, dragged) = (state.clone(), std::mem::replace(&mut self.target.water, 0.0));
+            let (drawn, dragged) = (state.clone(), std::mem::replace(&mut self.target.drag, 0.0));
             let found = self.ramp_on(system, state, time, Way::Whole);
-            self.target.water = dragged;
+            self.target.drag = dragged;
             if found.and_then(|()| self.ramp_on(system, state, time, Way::Excitation)).is_ok() {
                 return Ok(());
             }

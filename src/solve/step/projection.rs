@@ -5,9 +5,9 @@ use crate::error::Error;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::fluids::FluidAt;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::mass::MassAt;
-use crate::mechanics::system::water::WaterAt;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 
@@ -114,7 +114,7 @@ impl Projection {
 
     /// One for a change of velocities at once, from those of the state: the water around beams takes part in it.
     pub fn of_impact(system: &System) -> Self {
-        Self { is_wet: system.is_in_water(), ..Self::once(system) }
+        Self { is_wet: system.is_in_fluid(), ..Self::once(system) }
     }
 
     /// For many states of `system`; the matrix of `kkt` is scratch memory.
@@ -170,7 +170,7 @@ impl Projection {
         momentum.copy_from_slice(&state.momentum);
         if self.is_wet {
             system.add_added_mass_times(
-                WaterAt { q: &state.q, time: state.time, seen: &[] },
+                FluidAt { q: &state.q, time: state.time, seen: &[] },
                 &state.velocity,
                 momentum,
             );

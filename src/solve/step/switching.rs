@@ -12,9 +12,9 @@ use crate::mechanics::state::lists::Lists;
 use crate::mechanics::state::time_error::TimeError;
 use crate::mechanics::state::{State, rate_leads, viscous_rates};
 use crate::mechanics::system::System;
+use crate::mechanics::system::fluids::FluidAt;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::mass::MassAt;
-use crate::mechanics::system::water::WaterAt;
 use crate::solve::newton::kkt::Kkt;
 
 /// How far the neighboring state of an impact is moved, as [`System::motion_size`] measures: so little that it is
@@ -92,7 +92,7 @@ fn collide(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> Resu
     let change: Vec<f64> = state.velocity.iter().zip(&before).map(|(after, before)| after - before).collect();
     let configuration = frames.of(system, state);
     let mut of_water = vec![0.0; change.len()];
-    let at = WaterAt { q: &state.q, time, seen: &[] };
+    let at = FluidAt { q: &state.q, time, seen: &[] };
     let dissipated = system.kinetic_energy_of_mesh(MassAt::from(&configuration), &change)
         + 0.5 * system.add_added_mass_times(at, &change, &mut of_water);
     let means = state.velocity.iter().zip(&before).map(|(after, before)| 0.5 * (after + before));
@@ -102,7 +102,9 @@ fn collide(system: &System, kkt: &mut Kkt, state: &mut State, time: f64) -> Resu
         last.kinetic += gained;
     }
     if let Some(account) = &mut state.balance.account {
-        account.work.add(&Work { drives: gained + dissipated - water, dissipated, water, ..Work::default() }, 1.0);
+        account
+            .work
+            .add(&Work { drives: gained + dissipated - water, dissipated, fluids: water, ..Work::default() }, 1.0);
         account.energy = account.energy.map(|energy| energy + gained);
     }
     Ok(())

@@ -6,6 +6,7 @@
 use super::mutations::{mutated, shrunk};
 use super::requirements::{is_readable, is_sentence, same, values};
 use super::{caught, round};
+use crate::pages::{listings, pages_in};
 use crate::random::Random;
 use ancf14::fmi::variable::Causality;
 use ancf14::fmi::{Failure, Model, header};
@@ -233,10 +234,14 @@ fn judged(text: &str) -> Result<Reached, String> {
     }
 }
 
-/// The machines of the files without comments.
+/// The machines of the files, and of pages, which use what is newer, without comments.
 fn files() -> Vec<String> {
+    let pages = ["docs/how-do-i", "docs/language"].map(pages_in);
+    let listings = pages.iter().flatten().flat_map(|(_, page)| listings(page, "toml"));
+    let whole = listings.filter(|text| text.contains("format = 1") && text.contains("[simulation]"));
     let line = |line: &&str| !line.starts_with('#');
-    FILES.map(|text| text.lines().filter(line).map(|line| format!("{line}\n")).collect()).into()
+    let bare = |text: &str| text.lines().filter(line).map(|line| format!("{line}\n")).collect();
+    FILES.into_iter().chain(whole).map(bare).collect()
 }
 
 /// The files themselves get as far as they should, or changes of them try nothing.

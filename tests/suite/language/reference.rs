@@ -2,7 +2,7 @@
 //! between two marks is made of the tables of keys of the sections. `ANCF14_BLESS=1 cargo test reference_of_keys`
 //! writes it anew.
 
-use ancf14::model::entries::SECTIONS;
+use ancf14::model::entries::{SECTIONS, SINGLE};
 use ancf14::model::expression::Variable;
 use ancf14::model::file::schema::{Key, Role, Rule};
 use std::fmt::Write;
@@ -69,7 +69,7 @@ fn row(key: &Key) -> String {
 fn reference() -> String {
     let mut text = String::new();
     for (section, keys) in SECTIONS {
-        let name = if ["model", "seabed", "simulation", "water"].contains(section) { "" } else { ".NAME" };
+        let name = if SINGLE.contains(section) { "" } else { ".NAME" };
         let head = "| key | value | unit | may depend on | tunable | meaning |\n|---|---|---|---|---|---|";
         writeln!(text, "\n## `[{section}{name}]`\n\n{head}").unwrap();
         text.extend(keys.iter().map(row));

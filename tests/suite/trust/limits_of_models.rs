@@ -297,3 +297,39 @@ fn regression_a_blow_after_a_linear_motion_keeps_joints_closed() {
     // Believing the ratio of the linear motion, the iteration left 1.6e-3.
     assert!(largest < 1e-12, "{largest:e}");
 }
+
+/// A line without bending stiffness between a ball joint and a guide: pushed by 1e-3 of its length it stands up with
+/// `1e-3 EA`, where a real one folds; pulled, it is a line. The chain that hangs and swings pulls all the time.
+#[test]
+fn limp_lines_that_push_are_told() {
+    let section = "[section.line]\nshape = \"rigidities\"\nEA = 1e4\nEI_y = 0\nEI_z = 0\nGJ = 0\nline_density = 1\n";
+    let ended = |text: &str, stop: f64| {
+        let mut simulation = start(text);
+        simulation.advance(stop).unwrap_or_else(|failure| panic!("{}", failure.message));
+        simulation.conclude();
+        simulation.take_warnings()
+    };
+    let guided = |way: f64| {
+        let text = format!(
+            "{HEAD}{section}[beam.tether]\nsection = \"line\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 4\n\
+             [joint.root]\ntype = \"spherical\"\na = \"ground\"\nb = \"tether.start\"\n\
+             [joint.guide]\ntype = \"prismatic\"\na = \"ground\"\nb = \"tether.end\"\naxis = [1, 0, 0]\n\
+             [drive.hand]\njoint = \"guide\"\ncoordinate = \"distance\"\nvalue = \"{way}*smoothstep(0, 1, t)\"\n\
+             [simulation]\nstop = 1\nstep = 0.01\n"
+        );
+        ended(&text, 1.0)
+    };
+    let pushed = guided(-1e-3);
+    assert!(
+        matches!(&pushed[..], [one] if one.starts_with("beam tether has no bending stiffness and pushed with 1.0")),
+        "{pushed:?}"
+    );
+    assert_eq!(guided(1e-3), Vec::<String>::new());
+    let swinging = format!(
+        "{HEAD}gravity = [0, 0, -9.81]\n{section}[beam.chain]\nsection = \"line\"\nfrom = [0, 0, 0]\nto = [0.1, 0, -1]\n\
+         elements = 6\n[joint.root]\ntype = \"spherical\"\na = \"ground\"\nb = \"chain.start\"\n\
+         [simulation]\nstop = 2\nstep = 2e-3\n"
+    );
+    let found = ended(&swinging, 2.0);
+    assert!(!found.iter().any(|own| own.contains("pushed with")), "{found:?}");
+}

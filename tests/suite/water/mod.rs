@@ -1,6 +1,7 @@
 //! Beams in water: buoyancy, drag, added mass, the surface.
 
 mod added_mass;
+mod air;
 mod bodies;
 mod drag;
 mod lay;

@@ -1,4 +1,4 @@
-//! Forces of water along an element (MECHANICS 11): buoyancy, drag, and the inertia of the water around it, per
+//! Forces of a fluid along an element (MECHANICS 11): buoyancy, drag, and the inertia of the water around it, per
 //! undeformed length, at four Gauss points of each part that is wet.
 //!
 //! `f = s [−ρA g + ρA u̇ + b_n (u̇ − v̇)_n + b_t (u̇ − v̇)_t + d_n |w_n| w_n + d_t |w_t| w_t]`, with the wet share `s`,
@@ -12,11 +12,11 @@ use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Mat3, Vec3, hermite};
 use crate::mechanics::beam::balance::Acting;
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage};
+use crate::mechanics::fluid::flow::{Flow, Seen};
+use crate::mechanics::fluid::medium::Medium;
+use crate::mechanics::fluid::wet_section::{WetSection, WetSections};
+use crate::mechanics::fluid::wet_share::{AxisPoint, WetPoint, each_wet_point};
 use crate::mechanics::input::excitation::Wrench;
-use crate::mechanics::water::flow::{Flow, Seen};
-use crate::mechanics::water::medium::Medium;
-use crate::mechanics::water::wet_section::{WetSection, WetSections};
-use crate::mechanics::water::wet_share::{AxisPoint, WetPoint, each_wet_point};
 
 /// Speed below all that matters, m/s: the direction of a flow that is at rest needs no case of its own.
 const STILL: f64 = 1e-30;
@@ -217,7 +217,7 @@ impl Element {
         let (shape, shape_x) = (hermite::shape(xi, self.length), hermite::shape_x(xi, self.length));
         let (position, slope) = (weighted(&shape, &moving.q), weighted(&shape_x, &moving.q));
         AxisPoint {
-            height: position.z - water.height(xi, &position),
+            height: water.medium.side.sign() * (position.z - water.height(xi, &position)),
             rise: slope.z / slope.norm().max(f64::MIN_POSITIVE),
             radius: water.sections.at(xi).radius,
         }
@@ -259,16 +259,16 @@ impl Element {
     }
 
     /// Adds `factor` times the generalized force of the water to `forces`, its own.
-    pub fn add_water(&self, water: &Surroundings, moving: &Moving, factor: f64, forces: &mut [f64]) {
+    pub fn add_fluid(&self, water: &Surroundings, moving: &Moving, factor: f64, forces: &mut [f64]) {
         self.each_wet(water, moving, 1.0, |at| {
             let force = at.force(water) * (factor * at.length * at.wet.share);
             add_spread(&at.shape, &force, forces);
         });
     }
 
-    /// [`Self::add_water`], and adds `scale` times its derivative with respect to the coordinates to the column-major
+    /// [`Self::add_fluid`], and adds `scale` times its derivative with respect to the coordinates to the column-major
     /// `block`, 14×14.
-    pub fn add_water_and_tangent(
+    pub fn add_fluid_and_tangent(
         &self,
         water: &Surroundings,
         (moving, by): (&Moving, ByCoordinates),
@@ -280,7 +280,8 @@ impl Element {
             let whole = at.force(water);
             add_spread(&at.shape, &(whole * (factor * at.length * at.wet.share)), forces);
             let mut by_place = at.force_v(water) * by.velocity - at.added_mass() * by.acceleration;
-            by_place.set_column(2, &(by_place.column(2) + whole * at.wet.share_z));
+            let share_z = water.medium.side.sign() * at.wet.share_z;
+            by_place.set_column(2, &(by_place.column(2) + whole * share_z));
             let scale = scale * at.length;
             add_products(
                 &at.shape,
@@ -319,14 +320,14 @@ impl Element {
 
     /// Adds `factor` times the derivative of the forces with respect to the velocities to the column-major `block`,
     /// 14×14.
-    pub fn add_water_damping(&self, water: &Surroundings, moving: &Moving, factor: f64, block: &mut [f64]) {
+    pub fn add_fluid_damping(&self, water: &Surroundings, moving: &Moving, factor: f64, block: &mut [f64]) {
         self.each_wet(water, moving, 1.0, |at| {
             add_products(&at.shape, [&at.shape], [&(at.force_v(water) * (factor * at.length))], block);
         });
     }
 
     /// Adds the force and the moment about `about` of the water from the start to `xi` to `sum`, in space.
-    pub fn add_water_up_to(&self, water: &Surroundings, moving: &Moving, xi: f64, about: &Vec3, sum: &mut Wrench) {
+    pub fn add_fluid_up_to(&self, water: &Surroundings, moving: &Moving, xi: f64, about: &Vec3, sum: &mut Wrench) {
         self.each_wet(water, moving, xi, |at| {
             let force = at.force(water) * (at.length * at.wet.share);
             Acting { position: at.position, force, moment: Vec3::zeros() }.add_about(about, 1.0, sum);

@@ -30,9 +30,8 @@ const BODY_VELOCITY: Rule = Rule::new("velocity", "initial velocity of the cente
 pub(super) const ANGULAR_VELOCITY: Rule =
     Rule::new("angular_velocity", "initial angular velocity, global axes", "rad/s");
 
-const VOLUME: Rule = Rule::new("volume", "volume that the body displaces in water; 0: no water acts", "m3").from(0.0);
-const DRAG_AREAS: Rule =
-    Rule::new("drag_areas", "drag coefficient times area in water along each body axis", "m2").from(0.0);
+const VOLUME: Rule = Rule::new("volume", "volume that the body displaces; 0: no fluid acts", "m3").from(0.0);
+const DRAG_AREAS: Rule = Rule::new("drag_areas", "drag coefficient times area along each body axis", "m2").from(0.0);
 const ADDED_MASS: Rule =
     Rule::new("added_mass", "mass of water that moves with the body along each body axis", "kg").from(0.0);
 

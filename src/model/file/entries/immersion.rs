@@ -1,11 +1,11 @@
-//! The keys of a section that say how water acts on it.
+//! The keys of a section that say how water and air act on it.
 
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::schema::{Rule, words_of};
 
 pub(super) const OUTER_DIAMETER: Rule =
-    Rule::new("outer_diameter", "diameter outside, of the displaced volume and of drag; 0: no water acts", "m")
+    Rule::new("outer_diameter", "diameter outside, of the displaced volume and of drag; 0: no fluid acts", "m")
         .from(0.0)
         .along_beam();
 pub(super) const DRAG: Rule =
@@ -30,7 +30,7 @@ const DRAG_AREAS: [(&str, DragArea); 2] =
 /// The same for the table of keys.
 pub(super) const DRAG_AREA_WORDS: [&str; 2] = words_of(&DRAG_AREAS);
 
-/// How water acts on a section.
+/// How water and air act on a section.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Immersion {
     /// Diameter outside, m; none: that of the shape.
@@ -60,6 +60,11 @@ impl Immersion {
             added_mass: reader.optional_pair(&ADDED_MASS),
             contents_density: reader.optional(&CONTENTS_DENSITY),
         }
+    }
+
+    /// Whether air acts on it: its buoyancy alone is nothing to speak of.
+    pub fn meets_air(&self) -> bool {
+        self.drag.is_some() || self.added_mass.is_some()
     }
 
     /// All numbers that are written.

@@ -3,6 +3,7 @@
 
 pub mod acting;
 pub mod actuator;
+pub mod air;
 pub mod beam;
 pub mod body;
 pub mod contact;
@@ -79,11 +80,15 @@ macro_rules! parts {
             }
         }
 
+        /// The sections that a model has one of, without names.
+        pub const SINGLE: [&str; 5] = ["air", "model", "seabed", "simulation", "water"];
+
         /// The sections of the format with their keys.
         pub const SECTIONS: &[(&str, &[Key])] = &[
             ("model", overview::KEYS),
             ("function", function::KEYS),
             ("water", water::KEYS),
+            ("air", air::KEYS),
             ("seabed", seabed::KEYS),
             $((stringify!($module), $module::KEYS),)*
             ("simulation", simulation::KEYS),

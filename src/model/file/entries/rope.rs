@@ -165,5 +165,11 @@ fn end(reader: &mut Reader<'_, '_>, point: &'static str, drum: &'static str) -> 
         reader.exclude(point, drum);
         return reader.reference(drum, Kind::Surface).map(End::Drum);
     }
+    if !reader.has(point) {
+        let help =
+            format!("the point that holds this end, or a drum that winds it up: `{drum}`, the name of a surface");
+        reader.missing(point, &help);
+        return None;
+    }
     Anchor::read(reader, point, &SIDES).map(End::Point)
 }

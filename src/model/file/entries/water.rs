@@ -1,6 +1,6 @@
 //! `[water]`: the water around the beams, its surface and its flow.
 
-use crate::mechanics::water::waves::Stretching;
+use crate::mechanics::fluid::waves::Stretching;
 use crate::model::file::number::Number;
 use crate::model::file::reader::Reader;
 use crate::model::file::schema::{Key, Rule, words_of};
@@ -19,7 +19,7 @@ pub(super) const KEYS: &[Key] = &[
 const DENSITY: Rule = Rule::new("density", "density of the water", "kg/m3").above(0.0);
 const SURFACE: Rule = Rule::new("surface", "height of the still water, z", "m");
 const DEPTH: Rule = Rule::new("depth", "depth of the water; without end where it is not given", "m").above(0.0);
-const CURRENT: Rule = Rule::new("current", "velocity of the water, by the height z and the time t", "m/s").in_water();
+const CURRENT: Rule = Rule::new("current", "velocity of the water, by the height z and the time t", "m/s").in_flow();
 const RAMP: Rule = Rule::new("ramp", "time in which current and waves grow from nothing", "s").from(0.0);
 
 /// The words of `stretching`.

@@ -69,9 +69,9 @@ impl<'a> Rotor<'a> {
             let known = if known.is_empty() { String::from("none") } else { known.join(", ") };
             return Err(wrong(format!("the model has no drive `{name}`; its drives are: {known}")));
         };
-        if !own.winches.is_empty() || own.is_in_water() || !own.foundations.is_empty() || !own.ropes.is_empty() {
+        if !own.winches.is_empty() || own.is_in_fluid() || !own.foundations.is_empty() || !own.ropes.is_empty() {
             return Err(wrong(String::from(
-                "a mechanism with a winch, a foundation, a rope over sheaves, or beams in water does not turn steadily \
+                "a mechanism with a winch, a foundation, a rope over sheaves, water or air does not turn steadily \
                  here; remove them from the model",
             )));
         }

@@ -1,4 +1,4 @@
-//! Beams that water carries without slowing them.
+//! Beams that water carries without slowing them, and air that meets nothing.
 
 use super::Note;
 use crate::model::file::document::Document;
@@ -7,7 +7,21 @@ use crate::model::shape::sections;
 
 /// Names beams in water without drag.
 pub(super) fn lines(document: &Document) -> Vec<Note> {
-    document.beams.iter().filter_map(|beam| without_drag(document, beam)).collect()
+    document.beams.iter().filter_map(|beam| without_drag(document, beam)).chain(idle_air(document)).collect()
+}
+
+fn idle_air(document: &Document) -> Option<Note> {
+    let air = document.air.as_ref()?;
+    let meets = |beam: &BeamSpec| document.sections.get(beam.section).is_some_and(|own| own.immersion.meets_air());
+    let is_idle =
+        !document.beams.iter().any(meets) && document.bodies.iter().all(|body| document.value(body.volume) == 0.0);
+    is_idle.then(|| Note {
+        place: air.place,
+        text: String::from(
+            "[air] acts on no beam and no body: give sections `drag`, 1.2 and 0 are usual for a cylinder, and bodies \
+             a `volume` and `drag_areas`",
+        ),
+    })
 }
 
 fn without_drag(document: &Document, beam: &BeamSpec) -> Option<Note> {

@@ -158,7 +158,7 @@ impl Integrator for Midpoint {
         self.carry_error(system, state, dissipation, span, &mut next);
         // Those of the middle are no longer needed.
         self.projection.expect(&self.scratch.increment, step, &state.velocity, &mut next.lists.velocity);
-        let is_wet = system.is_in_water() && system.is_struck(end, step);
+        let is_wet = system.is_in_fluid() && system.is_struck(end, step);
         self.projection.wet(is_wet);
         if is_wet {
             self.scratch.expect(&state.velocity, step, &mut next.lists.velocity);

@@ -202,7 +202,7 @@ impl Scratch {
     /// from, exceed the projected ones: the mean velocity over the step of `step` s from `state` less that of its ends.
     /// Added mass then sees the motion as the mass of the beams does, whose momentum has that part (MECHANICS 11).
     pub fn lead(&self, system: &System, state: &State, step: f64, next: &mut State) {
-        if system.water.is_none() {
+        if !system.is_in_fluid() {
             return;
         }
         let Lists { velocity, velocity_lead, .. } = &mut next.lists;
@@ -238,7 +238,7 @@ impl Scratch {
         let [loads, actuators] =
             system.loads_and_actuators(&middle, &Passage::Step(over), &self.excitation, &self.increment);
         let drives = driven + found.by_frames + found.by_winches;
-        Work { loads: loads + found.by_heat, actuators, drives, dissipated: found.dissipated, water: found.by_water }
+        Work { loads: loads + found.by_heat, actuators, drives, dissipated: found.dissipated, fluids: found.by_fluids }
     }
 
     /// Kinetic, elastic and gravity energy at the start of the step from `state`, J.

@@ -15,11 +15,11 @@ use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::state::State;
 use crate::mechanics::state::time_error::{Passed, TimeError};
 use crate::mechanics::system::System;
+use crate::mechanics::system::fluids::FluidAt;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::gyroscopic;
 use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::middle_forces::Middle;
-use crate::mechanics::system::water::WaterAt;
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::projection::Projection;
@@ -281,15 +281,15 @@ impl Estimator {
         let coordinates = velocity.len();
         let Scratch { q_middle, frames_middle, forces: of_water, .. } = &mut self.scratch;
         let mass = MassAt::new(&state.prescribed.drives, frames_middle);
-        if system.is_in_water() {
+        if system.is_in_fluid() {
             // Its momentum is none of the state: it enters by the source alone.
             of_water.fill(0.0);
             let Excitation { time, seen, .. } = &solution.excitation;
-            let at = WaterAt { q: q_middle, time: *time, seen };
+            let at = FluidAt { q: q_middle, time: *time, seen };
             system.add_added_mass_times(at, &self.filtered[..coordinates], of_water);
         }
         system.mass_times(mass, &right[..coordinates], &mut self.filtered[..coordinates]);
-        if system.is_in_water() {
+        if system.is_in_fluid() {
             self.filtered.iter_mut().zip(&*of_water).for_each(|(sum, own)| *sum += own);
         }
         // Strains at the middle are taken as the means of the ends, and the dissipation is none of the exact motion:

@@ -82,7 +82,7 @@ impl Estimator {
         let source = &mut filtered[..jerk.len()];
         system.add_lags_of_springs(&middle, &step, middles, factor, source);
         system.add_lagging_forces(&middle, Sight::Step(&step), &solution.excitation, factor, source);
-        let in_water = system.is_in_water();
+        let in_water = system.is_in_fluid();
         if in_water {
             // Not needed before the neighboring motion departs.
             let (velocity, acceleration) = (&mut scratch.increment, &mut scratch.mass_increment);
@@ -93,7 +93,7 @@ impl Estimator {
                 *velocity = increment / h;
                 *acceleration = 2.0 * (*velocity - before) / h;
             }
-            system.add_water_at((&scratch.q_middle, velocity, acceleration), &solution.excitation, factor, source);
+            system.add_fluid_at((&scratch.q_middle, velocity, acceleration), &solution.excitation, factor, source);
             for (velocity, (jerk, snap)) in velocity.iter_mut().zip(jerk.iter().zip(&*snap)) {
                 *velocity -= MIDPOINT * h * h * in_middle(*jerk, *snap, h);
             }
@@ -105,7 +105,7 @@ impl Estimator {
         }
         if in_water {
             let moving = (&scratch.q_middle[..], &scratch.increment[..], &scratch.mass_increment[..]);
-            system.add_water_at(moving, &solution.excitation, -factor, source);
+            system.add_fluid_at(moving, &solution.excitation, -factor, source);
         }
         let (q, prescribed) = (&scratch.q_middle, &solution.prescribed_middle);
         let middle = scratch.frames_middle.at_frames(system, frames, q, state, prescribed);

@@ -1,4 +1,4 @@
-//! A rigid body in water: buoyancy, drag and added mass at its center of mass, in its own axes.
+//! A rigid body in a fluid: buoyancy, drag and added mass at its center of mass, in its own axes.
 //!
 //! `F = s [−m_d g + m_d u̇ + D_a (u̇ − v̇) + |w| D_d w]` with the displaced mass `m_d`, the velocity `v` of its center,
 //! that of the water `u`, `w = u − v`, and `D = A diag A^T` of added masses and of drag areas along its axes `A`. The
@@ -7,8 +7,9 @@
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::body::kinematics::{self, BODY};
+use crate::mechanics::fluid::flow::Seen;
+use crate::mechanics::fluid::medium::Side;
 use crate::mechanics::geometry::pose::axis_place;
-use crate::mechanics::water::flow::Seen;
 use std::f64::consts::PI;
 
 /// Speed below all that matters, m/s.
@@ -53,6 +54,8 @@ pub struct Around {
     pub gravity: Vec3,
     /// Share of the drag that acts, 0 to 1.
     pub share: f64,
+    /// The side of the surface that the fluid fills.
+    pub side: Side,
 }
 
 /// The force on a body with its derivatives.
@@ -100,7 +103,8 @@ impl WetBody {
     /// The force of the water.
     pub fn force(&self, moving: &Floating, water: &Around) -> OnBody {
         let Floating { position, velocity, acceleration, directors } = *moving;
-        let [share, share_z] = self.wet_share(position.z - water.seen.height);
+        let sign = water.side.sign();
+        let [share, share_z] = self.wet_share(sign * (position.z - water.seen.height));
         let turned = |own: &Mat3| directors * own * directors.transpose();
         let (drag, added) = (turned(&self.drag), turned(&self.added));
         let relative = water.seen.flow.velocity - velocity;
@@ -110,7 +114,7 @@ impl WetBody {
         let whole = own + added * pushed + drag * relative * (speed * water.share);
         let by_speed = drag * relative * relative.transpose() / speed;
         let mut by_position = Mat3::zeros();
-        by_position.set_column(2, &(whole * share_z));
+        by_position.set_column(2, &(whole * (sign * share_z)));
         let by_directors = [0, 1, 2].map(|k| {
             let of_drag = by_director(&self.drag, &directors, k, &relative) * (speed * water.share);
             (of_drag + by_director(&self.added, &directors, k, &pushed)) * share
@@ -164,6 +168,10 @@ mod tests {
     /// Derivatives agree with central differences, whose error is the square of their step.
     #[test]
     fn derivatives() {
+        [Side::Below, Side::Above].map(derivatives_on);
+    }
+
+    fn derivatives_on(side: Side) {
         let own = WetBody {
             body: 0,
             start: 0,
@@ -175,7 +183,7 @@ mod tests {
         let mut seen = Seen { height: 0.1, ..Seen::default() };
         seen.flow.velocity = Vec3::new(0.5, 0.2, -0.3);
         seen.flow.acceleration = Vec3::new(0.1, -0.4, 0.2);
-        let water = Around { seen, gravity: Vec3::new(0.0, 0.0, -9.81), share: 0.7 };
+        let water = Around { seen, gravity: Vec3::new(0.0, 0.0, -9.81), share: 0.7, side };
         let q: [f64; BODY] = [0.3, -0.2, 0.25, 0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0];
         let (velocity, acceleration) = ([0.4, -0.1, 0.6], [0.2, 0.3, -0.1]);
         let by = [3.0, 5.0];

@@ -1,4 +1,4 @@
-//! The water: its density, its surface and its motion.
+//! A fluid: its density, the surface that it ends at, and its motion.
 
 use super::flow::{Flow, Seen};
 use super::waves::Waves;
@@ -6,12 +6,33 @@ use crate::math::Vec3;
 use std::fmt;
 use std::sync::Arc;
 
-/// The water.
+/// Which side of the surface a fluid fills.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// That below it: water.
+    Below,
+    /// That above it: air.
+    Above,
+}
+
+impl Side {
+    /// The sign of heights above the surface by which this side counts as that below it.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Below => 1.0,
+            Self::Above => -1.0,
+        }
+    }
+}
+
+/// A fluid.
 #[derive(Clone, Debug)]
 pub struct Medium {
+    /// Which side of the surface it fills.
+    pub side: Side,
     /// Density, kg/m³.
     pub density: f64,
-    /// Height of still water, global, m.
+    /// Height of still water, global, m; negatively infinite without water.
     pub surface: f64,
     /// Depth of the water, m; none: without end.
     pub depth: Option<f64>,

@@ -1,4 +1,4 @@
-//! Water in the equations of a system (MECHANICS 11): its forces, and the mass that moves with beams.
+//! Fluids in the equations of a system (MECHANICS 11): its forces, and the mass that moves with beams.
 
 use super::System;
 use super::tangent_layout::TangentLayout;
@@ -9,14 +9,15 @@ use crate::mechanics::beam::ancf14::coordinates::ELEMENT;
 use crate::mechanics::beam::ancf14::element::Element;
 use crate::mechanics::beam::ancf14::fluid_load::{ByCoordinates, Moving, Surroundings};
 use crate::mechanics::beam::element::{AnyElement, BeamElement};
+use crate::mechanics::fluid::flow::Seen;
+use crate::mechanics::fluid::medium::{Medium, Side};
+use crate::mechanics::fluid::{Fluid, Wetted};
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
-use crate::mechanics::water::flow::Seen;
-use crate::mechanics::water::{Water, Wetted};
 
-/// Where beams are in the water: what the added mass depends on.
+/// Where beams are in fluids: what the added mass depends on.
 #[derive(Clone, Copy, Debug)]
-pub struct WaterAt<'a> {
+pub struct FluidAt<'a> {
     /// All coordinates.
     pub q: &'a [f64],
     /// Time, s.
@@ -25,23 +26,28 @@ pub struct WaterAt<'a> {
     pub seen: &'a [[Seen; 4]],
 }
 
-impl<'a> WaterAt<'a> {
-    fn surroundings(self, own: &InWater<'a>) -> Surroundings<'a> {
-        let (medium, sections, seen) = (&own.water.medium, &own.wetted.sections, self.seen.get(own.number));
+impl<'a> FluidAt<'a> {
+    fn surroundings(self, own: &InFluid<'a>) -> Surroundings<'a> {
+        let (medium, sections, seen) = (own.medium, &own.wetted.sections, own.seen_in(self.seen));
         Surroundings { medium, sections, gravity: Vec3::zeros(), time: self.time, share: 1.0, seen, is_still: false }
     }
 }
 
-/// An element in water.
-struct InWater<'a> {
-    water: &'a Water,
+/// An element in a fluid.
+struct InFluid<'a> {
+    medium: &'a Medium,
     wetted: &'a Wetted,
     element: &'a Element,
-    /// Its number among those in water.
+    /// Its number among those in this fluid.
     number: usize,
 }
 
-impl<'a> InWater<'a> {
+impl<'a> InFluid<'a> {
+    /// As it is seen once a step, of all elements in water with waves; none: it is looked at where the force is taken.
+    fn seen_in(&self, seen: &'a [[Seen; 4]]) -> Option<&'a [Seen; 4]> {
+        if self.medium.has_waves() { seen.get(self.number) } else { None }
+    }
+
     /// Its surroundings as the system passes through; in equilibria there are no waves.
     fn passed(&self, excitation: &'a Excitation, passage: &Passage) -> Surroundings<'a> {
         let is_still = matches!(passage, Passage::Rest | Passage::Corrected(_));
@@ -49,46 +55,50 @@ impl<'a> InWater<'a> {
     }
 
     fn surroundings(&self, excitation: &'a Excitation) -> Surroundings<'a> {
-        let Excitation { gravity, time, water: share, .. } = *excitation;
-        let (medium, sections, seen) = (&self.water.medium, &self.wetted.sections, excitation.seen.get(self.number));
+        let Excitation { gravity, time, drag: share, .. } = *excitation;
+        let (medium, sections, seen) = (self.medium, &self.wetted.sections, self.seen_in(&excitation.seen));
         Surroundings { medium, sections, gravity, time, share, seen, is_still: false }
     }
 }
 
 impl System {
-    /// The elements in water.
-    fn wetted(&self) -> impl Iterator<Item = InWater<'_>> {
-        let water = self.water.as_deref();
-        water.into_iter().flat_map(move |water| {
-            water.wetted.iter().enumerate().filter_map(move |(number, wetted)| {
+    /// The water, if the file has any.
+    pub fn water(&self) -> Option<&Fluid> {
+        self.fluids.iter().find(|fluid| fluid.medium.side == Side::Below)
+    }
+
+    /// The elements in fluids.
+    fn wetted(&self) -> impl Iterator<Item = InFluid<'_>> {
+        self.fluids.iter().flat_map(move |fluid| {
+            fluid.wetted.iter().enumerate().filter_map(move |(number, wetted)| {
                 let AnyElement::Ancf14(element) = &self.mesh.elements[wetted.element] else { return None };
-                Some(InWater { water, wetted, element, number })
+                Some(InFluid { medium: &fluid.medium, wetted, element, number })
             })
         })
     }
 
-    /// The elements that water moves with.
-    fn with_added_mass(&self) -> impl Iterator<Item = InWater<'_>> {
+    /// The elements that a fluid moves with.
+    fn with_added_mass(&self) -> impl Iterator<Item = InFluid<'_>> {
         self.wetted().filter(|own| own.wetted.sections.has_added_mass())
     }
 
     /// Looks at the water once for a step, where it has waves: at `time`, s, and the coordinates `q`.
     pub fn look_at_waves(&self, q: &[f64], time: f64, excitation: &mut Excitation) {
         excitation.seen.clear();
-        for InWater { water, element, .. } in self.wetted().filter(|own| own.water.medium.has_waves()) {
+        for InFluid { medium, element, .. } in self.wetted().filter(|own| own.medium.has_waves()) {
             let mut seen = [Seen::default(); 4];
-            element.look(&water.medium, q, time, &mut seen);
+            element.look(medium, q, time, &mut seen);
             excitation.seen.push(seen);
         }
     }
 
     /// Whether water with waves acts on it.
     pub fn has_waves(&self) -> bool {
-        self.water.as_ref().is_some_and(|water| water.medium.has_waves())
+        self.fluids.iter().any(|fluid| fluid.medium.has_waves())
     }
 
-    /// Adds `factor` times the forces of the water, internal minus external, as `passage` says.
-    pub fn add_water(
+    /// Adds `factor` times the forces of fluids, internal minus external, as `passage` says.
+    pub fn add_fluid(
         &self,
         c: &Configuration,
         passage: &Passage,
@@ -96,39 +106,39 @@ impl System {
         factor: f64,
         forces: &mut [f64],
     ) {
-        if self.water.is_none() {
+        if self.fluids.is_empty() {
             return;
         }
         let of_beams = passage.of_beams();
         for own in self.wetted() {
             let element = own.element;
             let moving = Moving::new(element, &c.beams, &of_beams);
-            element.add_water(&own.passed(excitation, passage), &moving, -factor, &mut forces[element.coordinates()]);
+            element.add_fluid(&own.passed(excitation, passage), &moving, -factor, &mut forces[element.coordinates()]);
         }
         self.each_wet_body(c, passage, excitation, |own, found| {
             add_vec3(forces, own.start, &(found.force * -factor));
         });
     }
 
-    /// Adds `factor` times the forces of the water, internal minus external, on beams with these coordinates,
+    /// Adds `factor` times the forces of fluids, internal minus external, on beams with these coordinates,
     /// velocities and accelerations.
-    pub fn add_water_at(
+    pub fn add_fluid_at(
         &self,
         (q, velocity, acceleration): (&[f64], &[f64], &[f64]),
         excitation: &Excitation,
         factor: f64,
         forces: &mut [f64],
     ) {
-        self.add_water_on_bodies_at((q, velocity, acceleration), excitation, factor, forces);
+        self.add_fluid_on_bodies_at((q, velocity, acceleration), excitation, factor, forces);
         for own in self.wetted() {
             let element = own.element;
             let moving = Moving::with(element, q, velocity, acceleration);
-            element.add_water(&own.surroundings(excitation), &moving, -factor, &mut forces[element.coordinates()]);
+            element.add_fluid(&own.surroundings(excitation), &moving, -factor, &mut forces[element.coordinates()]);
         }
     }
 
-    /// [`Self::add_water`] over a step, with the work of the water as the coordinates change by `increment`, J.
-    pub(super) fn add_water_with_work(
+    /// [`Self::add_fluid`] over a step, with the work of fluids as the coordinates change by `increment`, J.
+    pub(super) fn add_fluid_with_work(
         &self,
         c: &Configuration,
         passage: &Passage,
@@ -141,7 +151,7 @@ impl System {
             let element = own.element;
             let moving = Moving::new(element, &c.beams, &of_beams);
             let mut force = [0.0; ELEMENT];
-            element.add_water(&own.surroundings(excitation), &moving, 1.0, &mut force);
+            element.add_fluid(&own.surroundings(excitation), &moving, 1.0, &mut force);
             for ((sum, force), change) in
                 forces[element.coordinates()].iter_mut().zip(force).zip(element.own(increment))
             {
@@ -156,10 +166,10 @@ impl System {
         work
     }
 
-    /// [`Self::add_water`], and adds `scale` times its derivative with respect to the coordinates to the blocks of
+    /// [`Self::add_fluid`], and adds `scale` times its derivative with respect to the coordinates to the blocks of
     /// elements in `tangent`; over a step twice that with respect to the coordinates at its end.
     #[inline(never)]
-    pub(super) fn add_water_and_tangent(
+    pub(super) fn add_fluid_and_tangent(
         &self,
         c: &Configuration,
         passage: &Passage,
@@ -168,7 +178,7 @@ impl System {
         forces: &mut [f64],
         tangent: &mut Blocks,
     ) {
-        if self.water.is_none() {
+        if self.fluids.is_empty() {
             return;
         }
         let (layout, of_beams) = (TangentLayout::of(self), passage.of_beams());
@@ -179,14 +189,14 @@ impl System {
             let block = tangent.block_mut(layout.element(own.wetted.element));
             let surroundings = own.passed(excitation, passage);
             let forces = &mut forces[element.coordinates()];
-            element.add_water_and_tangent(&surroundings, (&moving, by), [-1.0, -scale], forces, block);
+            element.add_fluid_and_tangent(&surroundings, (&moving, by), [-1.0, -scale], forces, block);
         }
-        self.add_water_on_bodies_and_tangent(c, passage, excitation, scale, forces, tangent);
+        self.add_fluid_on_bodies_and_tangent(c, passage, excitation, scale, forces, tangent);
     }
 
-    /// Adds `factor` times the derivative of the forces of the water with respect to the velocities to the blocks of
+    /// Adds `factor` times the derivative of the forces of fluids with respect to the velocities to the blocks of
     /// elements in `tangent`.
-    pub(super) fn add_water_damping(
+    pub(super) fn add_fluid_damping(
         &self,
         c: &Configuration,
         velocity: &[f64],
@@ -199,13 +209,13 @@ impl System {
             let element = own.element;
             let moving = Moving::new(element, &c.beams, &passage);
             let block = tangent.block_mut(layout.element(own.wetted.element));
-            element.add_water_damping(&own.surroundings(excitation), &moving, -factor, block);
+            element.add_fluid_damping(&own.surroundings(excitation), &moving, -factor, block);
         }
-        self.add_water_damping_of_bodies(c, velocity, excitation, factor, tangent);
+        self.add_fluid_damping_of_bodies(c, velocity, excitation, factor, tangent);
     }
 
     /// Adds `factor` times the added mass matrix to the blocks of elements in `tangent`.
-    pub(super) fn add_added_mass(&self, at: WaterAt, factor: f64, tangent: &mut Blocks) {
+    pub(super) fn add_added_mass(&self, at: FluidAt, factor: f64, tangent: &mut Blocks) {
         let layout = TangentLayout::of(self);
         for own in self.with_added_mass() {
             let (element, moving) = (own.element, Moving::at_rest(own.element, at.q));
@@ -216,7 +226,7 @@ impl System {
     }
 
     /// Adds the product of the added mass matrix with `vector` to `product`; returns `vectorᵀ M_a vector`.
-    pub fn add_added_mass_times(&self, at: WaterAt, vector: &[f64], product: &mut [f64]) -> f64 {
+    pub fn add_added_mass_times(&self, at: FluidAt, vector: &[f64], product: &mut [f64]) -> f64 {
         let mut form = 0.0;
         for own in self.with_added_mass() {
             let element = own.element;
@@ -227,42 +237,49 @@ impl System {
         form + self.add_added_mass_of_bodies_times(at, vector, product)
     }
 
-    /// Whether water acts on it.
-    pub fn is_in_water(&self) -> bool {
-        self.water.is_some()
+    /// Whether water or air acts on it.
+    pub fn is_in_fluid(&self) -> bool {
+        !self.fluids.is_empty()
     }
 
-    /// Calls `with` with the element of this number in the water at `q`, as it moves with these velocities and
-    /// accelerations, or at rest; none: it is not in water.
-    pub fn in_water<R>(
+    /// Calls `with` with the element of this number in each fluid that may reach it at `q`, as it moves with these
+    /// velocities and accelerations, or at rest.
+    pub fn in_fluids(
         &self,
         element: usize,
         (q, motion): (&[f64], Option<[&[f64]; 2]>),
         excitation: &Excitation,
-        with: impl FnOnce(&Element, &Surroundings, &Moving) -> R,
-    ) -> Option<R> {
-        let water = self.water.as_deref()?;
-        let wetted = water.of(element)?;
-        let AnyElement::Ancf14(own) = &self.mesh.elements[element] else { return None };
+        mut with: impl FnMut(&Element, &Surroundings, &Moving),
+    ) {
+        let AnyElement::Ancf14(own) = &self.mesh.elements[element] else { return };
         let moving = match motion {
             Some([velocity, acceleration]) => Moving::with(own, q, velocity, acceleration),
             None => Moving::at_rest(own, q),
         };
-        let (medium, sections) = (&water.medium, &wetted.sections);
-        let Excitation { gravity, time, water: share, .. } = *excitation;
-        Some(with(
-            own,
-            &Surroundings { medium, sections, gravity, time, share, seen: None, is_still: motion.is_none() },
-            &moving,
-        ))
+        let &Excitation { gravity, time, drag: share, .. } = excitation;
+        let is_still = motion.is_none();
+        for fluid in &self.fluids {
+            let Some(wetted) = fluid.of(element) else { continue };
+            let (medium, sections) = (&fluid.medium, &wetted.sections);
+            let around = Surroundings { medium, sections, gravity, time, share, seen: None, is_still };
+            with(own, &around, &moving);
+        }
+    }
+
+    /// Velocity of the water or the air at `position`, of the state, and `time`, s, in m/s; 0 where there is neither.
+    pub fn flow_at(&self, position: &Vec3, time: f64) -> Vec3 {
+        let is_there = |medium: &Medium| medium.side == Side::Above || position.z <= medium.height(position, time);
+        let mut media = self.fluids.iter().map(|fluid| &fluid.medium);
+        media.find(|medium| is_there(medium)).map_or_else(Vec3::zeros, |medium| medium.flow(position, time).velocity)
     }
 
     /// Drag per length, N/m, on the section at this position of this element at `c`, with the velocities `velocity`
-    /// and at `time`, s; none: it is not in water.
-    pub fn drag_at(&self, (element, xi): (usize, f64), c: &Configuration, velocity: &[f64], time: f64) -> Option<Vec3> {
-        let moving = (c.beams.q, Some([velocity, velocity]));
-        let water = water_alone(self.gravity, time);
-        self.in_water(element, moving, &water, |own, water, moving| own.drag_at(water, moving, xi))
+    /// and at `time`, s; 0 where no fluid reaches it.
+    pub fn drag_at(&self, (element, xi): (usize, f64), c: &Configuration, velocity: &[f64], time: f64) -> Vec3 {
+        let (moving, mut sum) = ((c.beams.q, Some([velocity, velocity])), Vec3::zeros());
+        let alone = fluids_alone(self.gravity, time);
+        self.in_fluids(element, moving, &alone, |own, fluid, moving| sum += own.drag_at(fluid, moving, xi));
+        sum
     }
 }
 
@@ -270,14 +287,14 @@ impl System {
     /// Force of the pressure of the still water on the section at this position of this element at `c`, N: the part of
     /// the effective tension that the wall does not carry. 0 above the water.
     pub fn outer_pressure(&self, (element, xi): (usize, f64), position: &Vec3) -> f64 {
-        let Some(water) = self.water.as_deref() else { return 0.0 };
+        let Some(water) = self.water() else { return 0.0 };
         let Some(wetted) = water.of(element) else { return 0.0 };
         let depth = water.medium.surface - self.origin.z - position.z;
         wetted.sections.at(xi).displaced * self.gravity.norm() * depth.max(0.0)
     }
 }
 
-/// The water that acts at an instant, without loads.
-pub fn water_alone(gravity: Vec3, time: f64) -> Excitation {
-    Excitation { time, gravity, water: 1.0, ..Excitation::default() }
+/// The fluids that act at an instant, without loads.
+pub fn fluids_alone(gravity: Vec3, time: f64) -> Excitation {
+    Excitation { time, gravity, drag: 1.0, ..Excitation::default() }
 }

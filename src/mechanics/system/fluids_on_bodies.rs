@@ -1,22 +1,22 @@
-//! Bodies in water in the equations of a system: their forces, and the mass that moves with them.
+//! Bodies in fluids in the equations of a system: their forces, and the mass that moves with them.
 
 use super::System;
+use super::fluids::FluidAt;
 use super::tangent_layout::TangentLayout;
-use super::water::WaterAt;
 use crate::math::Vec3;
 use crate::math::blocks::Blocks;
 use crate::math::vectors::{add_vec3, vec3};
 use crate::mechanics::beam::ancf14::fluid_load::ByCoordinates;
-use crate::mechanics::body::in_water::{Around, Floating, OnBody, WetBody};
+use crate::mechanics::fluid::medium::Medium;
+use crate::mechanics::fluid::wet_body::{Around, Floating, OnBody, WetBody};
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
-use crate::mechanics::water::medium::Medium;
 
-/// The water at the center of a body as it passes; equilibria have no waves.
+/// The fluid at the center of a body as it passes; equilibria have no waves.
 fn around(medium: &Medium, position: &Vec3, excitation: &Excitation, is_still: bool) -> Around {
-    let Excitation { gravity, time, water: share, .. } = *excitation;
+    let Excitation { gravity, time, drag: share, .. } = *excitation;
     let seen = if is_still { medium.still(position, time) } else { medium.seen(position, time) };
-    Around { seen, gravity, share }
+    Around { seen, gravity, share, side: medium.side }
 }
 
 /// How a body moves as `passage` says.
@@ -34,13 +34,12 @@ fn moving(start: usize, c: &Configuration, passage: &Passage) -> (Floating, bool
 }
 
 impl System {
-    /// The bodies in water, with it.
+    /// The bodies in fluids, each with its fluid.
     fn wet_bodies(&self) -> impl Iterator<Item = (&WetBody, &Medium)> {
-        let water = self.water.as_deref();
-        water.into_iter().flat_map(|water| self.floating.iter().map(move |own| (own, &water.medium)))
+        self.fluids.iter().flat_map(|fluid| fluid.bodies.iter().map(|own| (own, &fluid.medium)))
     }
 
-    /// Calls `take` with each body in water and the force on it, as `passage` says.
+    /// Calls `take` with each body in a fluid and the force on it, as `passage` says.
     pub(super) fn each_wet_body(
         &self,
         c: &Configuration,
@@ -54,10 +53,10 @@ impl System {
         }
     }
 
-    /// Adds `factor` times the forces of the water on bodies, internal minus external, with these coordinates,
+    /// Adds `factor` times the forces of fluids on bodies, internal minus external, with these coordinates,
     /// velocities and accelerations.
     #[inline(never)]
-    pub(super) fn add_water_on_bodies_at(
+    pub(super) fn add_fluid_on_bodies_at(
         &self,
         (q, velocity, acceleration): (&[f64], &[f64], &[f64]),
         excitation: &Excitation,
@@ -71,11 +70,11 @@ impl System {
         }
     }
 
-    /// Adds the forces of the water on bodies, internal minus external, and `scale` times their derivative with respect
+    /// Adds the forces of fluids on bodies, internal minus external, and `scale` times their derivative with respect
     /// to the coordinates to the blocks of bodies in `tangent`; over a step twice that with respect to the coordinates
     /// at its end.
     #[inline(never)]
-    pub(super) fn add_water_on_bodies_and_tangent(
+    pub(super) fn add_fluid_on_bodies_and_tangent(
         &self,
         c: &Configuration,
         passage: &Passage,
@@ -91,10 +90,10 @@ impl System {
         });
     }
 
-    /// Adds `factor` times the derivative of the forces of the water on bodies with respect to their velocities to the
+    /// Adds `factor` times the derivative of the forces of fluids on bodies with respect to their velocities to the
     /// blocks of bodies in `tangent`.
     #[inline(never)]
-    pub(super) fn add_water_damping_of_bodies(
+    pub(super) fn add_fluid_damping_of_bodies(
         &self,
         c: &Configuration,
         velocity: &[f64],
@@ -109,17 +108,18 @@ impl System {
     }
 
     /// The added mass of bodies at `at`, in global axes, kg.
-    fn each_added_mass(&self, at: WaterAt, mut take: impl FnMut(&WetBody, &OnBody)) {
+    fn each_added_mass(&self, at: FluidAt, mut take: impl FnMut(&WetBody, &OnBody)) {
         for (own, medium) in self.wet_bodies().filter(|(own, _)| own.added.amax() > 0.0) {
             let moving = Floating::with(own.start, at.q, None, None);
-            let water = Around { seen: medium.seen(&moving.position, at.time), gravity: Vec3::zeros(), share: 1.0 };
+            let seen = medium.seen(&moving.position, at.time);
+            let water = Around { seen, gravity: Vec3::zeros(), share: 1.0, side: medium.side };
             take(own, &own.force(&moving, &water));
         }
     }
 
     /// Adds `factor` times the added mass matrix of bodies to their blocks in `tangent`.
     #[inline(never)]
-    pub(super) fn add_added_mass_of_bodies(&self, at: WaterAt, factor: f64, tangent: &mut Blocks) {
+    pub(super) fn add_added_mass_of_bodies(&self, at: FluidAt, factor: f64, tangent: &mut Blocks) {
         let layout = TangentLayout::of(self);
         self.each_added_mass(at, |own, found| {
             OnBody::add_of_center(&found.added, factor, tangent.block_mut(layout.body(own.body)));
@@ -128,7 +128,7 @@ impl System {
 
     /// Adds the product of the added mass matrix of bodies with `vector` to `product`; returns `vectorᵀ M_a vector`.
     #[inline(never)]
-    pub(super) fn add_added_mass_of_bodies_times(&self, at: WaterAt, vector: &[f64], product: &mut [f64]) -> f64 {
+    pub(super) fn add_added_mass_of_bodies_times(&self, at: FluidAt, vector: &[f64], product: &mut [f64]) -> f64 {
         let mut form = 0.0;
         self.each_added_mass(at, |own, found| {
             let value = vec3(vector, own.start);

@@ -1,7 +1,8 @@
-//! Reports what water cannot act on, and what it needs to know.
+//! Reports what water and air cannot act on, and what they need to know.
 
 use super::Checker;
 use crate::mechanics::beam::design::Elements;
+use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::body::BodySpec;
 use crate::model::file::entries::section::SectionSpec;
@@ -10,20 +11,32 @@ use crate::model::file::entries::water::WaterSpec;
 use crate::model::file::number::Number;
 use crate::model::file::quantity::Quantity;
 use crate::model::shape::sections::outer_diameter;
+use crate::model::text::diagnostic::Place;
 
 /// How to make a model wet.
 const ADD_WATER: &str = "add [water] with its density: 1025 kg/m3 for sea water";
-/// How to keep the water off a beam.
-const KEEP_OFF: &str = "outer_diameter = 0 in its section keeps the water off it";
+/// How to make a model wet, or windy.
+const ADD_FLUID: &str = "add [water] with its density, or [air] with its wind";
+/// How to keep fluids off a beam.
+const KEEP_OFF: &str = "outer_diameter = 0 in its section keeps it off the beam";
 
 impl Checker<'_> {
-    /// Reports the mistakes around `[water]`.
-    pub(super) fn check_water(&mut self) {
+    /// Reports the mistakes around `[water]` and `[air]`.
+    pub(super) fn check_fluids(&mut self) {
         let document = self.document;
         for section in &document.sections {
             self.check_drag_area(section);
         }
         document.bodies.iter().for_each(|body| self.check_volume(body));
+        let fluids = [
+            ("water", document.water.as_ref().map(|own| own.place)),
+            ("air", document.air.as_ref().map(|own| own.place)),
+        ];
+        for (fluid, place) in fluids.into_iter().filter_map(|(fluid, place)| Some((fluid, place?))) {
+            self.check_integrator(fluid, place);
+            let reached = document.beams.iter().filter(|beam| fluid == "water" || meets_air(document, beam));
+            reached.for_each(|beam| self.check_beam_in(fluid, beam));
+        }
         let Some(water) = &document.water else {
             self.check_dry();
             return;
@@ -35,19 +48,22 @@ impl Checker<'_> {
             let message = format!("wave {} is in a model without gravity", wave.name);
             self.mistake(wave.place, &message, "waves are driven by it", "set gravity = [0, 0, -9.81] in [model]");
         }
-        let simulation = &document.simulation;
-        if simulation.analysis == Analysis::Dynamic
-            && matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
-        {
-            let message = "generalized_alpha does not support water";
-            let help = "leave integrator out: the default supports water";
-            self.mistake(water.place, message, "a model with [water] needs another integrator", help);
-        }
-        document.beams.iter().for_each(|beam| self.check_beam_in_water(beam));
         if water.depth.is_none() {
             self.refuse_outputs(|own| own == Quantity::Clearance, "its water has no bottom", "give `depth` in [water]");
         }
         self.check_seabed();
+    }
+
+    fn check_integrator(&mut self, fluid: &str, place: Place) {
+        let simulation = &self.document.simulation;
+        if simulation.analysis == Analysis::Dynamic
+            && matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
+        {
+            let message = format!("generalized_alpha does not support {fluid}");
+            let label = format!("a model with [{fluid}] needs another integrator");
+            let help = format!("leave integrator out: the default supports {fluid}");
+            self.mistake(place, &message, &label, &help);
+        }
     }
 
     /// Reports outputs of lines on a seabed that is not there.
@@ -78,10 +94,12 @@ impl Checker<'_> {
             self.mistake(wave.place, &message, "a section [water] is missing", ADD_WATER);
         }
         for output in &document.outputs {
-            if let Some(quantity) = output.quantities.iter().find(|own| own.is_of_water()) {
+            let is_missed = |own: &&Quantity| own.is_of_water() || own.is_of_flow() && document.air.is_none();
+            if let Some(quantity) = output.quantities.iter().find(is_missed) {
                 let word = quantity.row().word;
                 let message = format!("output {} measures \"{word}\", and the model has no water", output.name);
-                self.mistake(output.place, &message, "a section [water] is missing", ADD_WATER);
+                let help = if quantity.is_of_flow() { ADD_FLUID } else { ADD_WATER };
+                self.mistake(output.place, &message, "a section [water] is missing", help);
             }
         }
         self.check_seabed();
@@ -96,11 +114,11 @@ impl Checker<'_> {
             && volume == 0.0
         {
             let message = format!("body {} has `{key}` and no volume", body.name);
-            let help = "give `volume`, m3, of the water that it displaces";
-            self.mistake(document.place(numbers[0]), &message, "water acts on its volume", help);
-        } else if volume > 0.0 && document.water.is_none() {
+            let help = "give `volume`, m3, of the fluid that it displaces";
+            self.mistake(document.place(numbers[0]), &message, "water and air act on its volume", help);
+        } else if volume > 0.0 && document.water.is_none() && document.air.is_none() {
             let message = format!("body {} has a volume, and the model has no water", body.name);
-            self.mistake(document.place(body.volume), &message, "a section [water] is missing", ADD_WATER);
+            self.mistake(document.place(body.volume), &message, "a section [water] or [air] is missing", ADD_FLUID);
         }
     }
 
@@ -127,23 +145,25 @@ impl Checker<'_> {
         }
     }
 
-    fn check_beam_in_water(&mut self, beam: &BeamSpec) {
+    /// Reports a beam on which `fluid` cannot act.
+    fn check_beam_in(&mut self, fluid: &str, beam: &BeamSpec) {
         let document = self.document;
         let Some(section) = document.sections.get(beam.section) else { return };
         let value = |number: Number| document.value(number);
         let Some(diameter) = outer_diameter(section, value) else {
             let message =
-                format!("beam {} is in water, and its section {} has no outer diameter", beam.name, section.name);
-            let help =
-                "give `outer_diameter`: water acts on beams as on round ones of this diameter, and 0 keeps it off";
-            self.mistake(section.place, &message, "only a circle and a tube have one by their shape", help);
+                format!("beam {} is in {fluid}, and its section {} has no outer diameter", beam.name, section.name);
+            let help = format!(
+                "give `outer_diameter`: {fluid} acts on beams as on round ones of this diameter, and 0 keeps it off"
+            );
+            self.mistake(section.place, &message, "only a circle and a tube have one by their shape", &help);
             return;
         };
         if diameter == 0.0 {
             return;
         }
         if matches!(beam.formulation, Elements::Ancf24 { .. }) {
-            let message = format!("beam {} is in water, which acts on elements of ancf14 only", beam.name);
+            let message = format!("beam {} is in {fluid}, which acts on elements of ancf14 only", beam.name);
             self.mistake(beam.place, &message, "its elements are of ancf24", KEEP_OFF);
         }
         let paid_out = document
@@ -151,8 +171,14 @@ impl Checker<'_> {
             .iter()
             .find(|winch| document.beams.get(winch.beam).is_some_and(|own| own.name == beam.name));
         if let Some(winch) = paid_out {
-            let message = format!("winch {} pays out beam {}, which is in water", winch.name, beam.name);
-            self.mistake(winch.place, &message, "water does not act on a beam that is paid out", KEEP_OFF);
+            let message = format!("winch {} pays out beam {}, which is in {fluid}", winch.name, beam.name);
+            let label = format!("{fluid} does not act on a beam that is paid out");
+            self.mistake(winch.place, &message, &label, KEEP_OFF);
         }
     }
+}
+
+/// Whether air acts on a beam.
+fn meets_air(document: &Document, beam: &BeamSpec) -> bool {
+    document.sections.get(beam.section).is_some_and(|own| own.immersion.meets_air())
 }
