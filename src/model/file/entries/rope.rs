@@ -167,7 +167,7 @@ fn end(reader: &mut Reader<'_, '_>, point: &'static str, drum: &'static str) -> 
     }
     if !reader.has(point) {
         let help =
-            format!("the point that holds this end, or a drum that winds it up: `{drum}`, the name of a surface");
+            format!("{}; or `{drum}`, the drum that winds it up", SIDES.forms);
         reader.missing(point, &help);
         return None;
     }
