@@ -13,6 +13,18 @@ use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::tangent_layout::TangentLayout;
 
 impl System {
+    /// Whether a spring or a material has damping.
+    pub fn is_damped(&self) -> bool {
+        self.springs.iter().any(Spring::is_damped)
+            || self.contacts.iter().any(|contact| contact.law.is_damped())
+            || self.beam_contacts.iter().any(|contact| contact.law.is_damped())
+            || self.foundations.iter().any(|own| own.bedding.is_damped())
+            || self.ropes.iter().any(|own| own.elasticity.damping != 0.0)
+            || self.has_material_damping()
+            || self.has_mass_damping()
+            || self.is_dragged_along()
+    }
+
     /// The elements whose material is damped, with their numbers.
     fn damped_elements(&self) -> impl Iterator<Item = (usize, &AnyElement)> + '_ {
         self.mesh.elements.iter().enumerate().filter(|(_, element)| element.is_damped())
@@ -137,6 +149,7 @@ impl System {
             spring.damping_matrix(coordinate, c, velocity)
         });
         self.add_contact_damping(c, velocity, factor, tangent);
+        self.add_beam_contact_damping(c, velocity, factor, tangent);
         self.add_foundation_damping(c, velocity, factor, tangent);
         self.add_rope_damping(c, velocity, factor, tangent);
     }
@@ -150,6 +163,7 @@ impl System {
         self.add_water_damping(c, &rest, excitation, 1.0, tangent);
         self.add_spring_and_mass_damping(c, 1.0, tangent, |spring, coordinate| spring.damping_at_rest(coordinate, c));
         self.add_contact_damping(c, &rest, 1.0, tangent);
+        self.add_beam_contact_damping(c, &rest, 1.0, tangent);
         self.add_foundation_damping(c, &rest, 1.0, tangent);
         self.add_rope_damping(c, &rest, 1.0, tangent);
     }
