@@ -25,7 +25,7 @@ pub struct Strand {
 }
 
 impl Strand {
-    /// Of these `elements` of a mesh.
+    /// A strand of these `elements` of a mesh.
     pub fn new(elements: Range<usize>, mesh: &[AnyElement], radius: f64) -> Self {
         let mut starts = vec![0.0];
         for element in &mesh[elements.clone()] {
@@ -81,7 +81,7 @@ pub struct Nearest {
 }
 
 impl<'a> Axis<'a> {
-    /// Of `strand` at `c`.
+    /// The axis of `strand` at `c`.
     pub fn of(strand: &'a Strand, c: &'a Configuration) -> Self {
         Self { strand, elements: &c.mesh.elements[strand.elements.clone()], q: c.beams.q }
     }

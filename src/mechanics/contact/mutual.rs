@@ -81,7 +81,7 @@ pub struct Meeting {
     last: Last,
 }
 
-/// What the derivative of the force is made of: the distance at the instant or at the end of the step.
+/// Parts of the derivative of the force: the distance at the instant or at the end of the step.
 #[derive(Clone, Copy, Debug)]
 struct Last {
     /// Derivative of the force by the penetration, N/m: over a step twice that at its end.
@@ -189,7 +189,7 @@ impl BeamContact {
                         next += 1;
                         continue;
                     }
-                    // What moves on the way moves at both ends, and there and back.
+                    // A motion on the way counts at both ends, and there and back.
                     let stretch = if sweeping { 3.0 * STRETCH } else { STRETCH };
                     let bound = other.arc(next, 0.5) + clear / stretch;
                     next += 1;
@@ -362,7 +362,7 @@ impl BeamContact {
         });
     }
 
-    /// What the derivative of the force of a point is made of. At an `is_end` the nearest point does not move along.
+    /// The parts of the derivative of the force of a point. At an `is_end` the nearest point does not move along.
     fn last(&self, nearest: &Nearest, lengths: [f64; 2], xi: [f64; 2], [slope, force]: [f64; 2], is_end: bool) -> Last {
         let distance = nearest.distance.max(NO_DISTANCE);
         let normal = nearest.arm / distance;

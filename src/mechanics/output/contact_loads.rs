@@ -12,7 +12,8 @@ use crate::mechanics::system::System;
 pub struct ContactLoads {
     /// Force on the beams, N.
     pub force: Vec3,
-    /// Moment on the beams about the position of the first surface, or about the origin where beams touch each other, N m.
+    /// Moment on the beams about the position of the first surface, or about the origin where beams touch each other,
+    /// N m.
     pub moment: Vec3,
     /// Sum of the sizes of all normal forces, N.
     pub normal: f64,

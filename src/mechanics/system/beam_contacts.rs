@@ -40,13 +40,14 @@ impl System {
         [0, 1].map(|number| contact.strands[sides[number]].elements.start + meeting.elements[number])
     }
 
-    /// Where the vectors of both elements are among the coordinates.
-    fn meeting_places(&self, elements: [usize; 2]) -> [usize; VECTORS] {
+    /// The first coordinate of each vector of both elements.
+    fn meeting_coordinates(&self, elements: [usize; 2]) -> [usize; VECTORS] {
         let starts = elements.map(|own| self.mesh.elements[own].coordinates().start);
         std::array::from_fn(|vector| starts[vector / 4] + SHAPE_PLACES[vector % 4])
     }
 
-    /// Adds `factor` times the forces of beams that touch each other, internal minus external, at `c` as `passage` says.
+    /// Adds `factor` times the forces of beams that touch each other, internal minus external, at `c` as `passage`
+    /// says.
     pub(super) fn add_beam_contact_forces(
         &self,
         c: &Configuration,
@@ -60,9 +61,9 @@ impl System {
     }
 
     fn add_meeting(&self, contact: &BeamContact, meeting: &Meeting, factor: f64, forces: &mut [f64]) {
-        let places = self.meeting_places(Self::meeting_elements(contact, meeting));
-        for (vector, place) in places.into_iter().enumerate() {
-            add_vec3(forces, place, &(meeting.force(vector) * factor));
+        let firsts = self.meeting_coordinates(Self::meeting_elements(contact, meeting));
+        for (vector, first) in firsts.into_iter().enumerate() {
+            add_vec3(forces, first, &(meeting.force(vector) * factor));
         }
     }
 

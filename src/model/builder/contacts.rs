@@ -107,8 +107,8 @@ fn law(document: &Document, written: &ContactSpec, beam: usize, shape: &Shape) -
     Law { stiffness, damping: document.value(written.damping), viscosity: 0.0 }
 }
 
-/// The normal force of two beams on each other. By default both are as stiff as on a cylinder as large as the distance of
-/// their axes.
+/// The normal force of two beams on each other. By default both are as stiff as on a cylinder as large as the distance
+/// of their axes.
 fn law_of_pair(document: &Document, written: &ContactSpec, pair: (usize, usize)) -> Law {
     let beams = [pair.0, pair.1];
     let stiffness = written.stiffness.map_or_else(

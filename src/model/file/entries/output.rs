@@ -145,13 +145,13 @@ impl OutputSpec {
                 "force on the beams by what they touch, in global axes"
             }
             (Quantity::ReactionMoment, Target::Connection(Kind::Contact, _)) => {
-                "moment on the beams by what they touch, about the place of the first surface or the global origin, in global axes"
+                "moment on the beams by what they touch, about the origin of the surface, in global axes"
             }
             (Quantity::AppliedForce, Target::Connection(Kind::Contact, _)) => {
                 "force of the beams on what they touch, in global axes"
             }
             (Quantity::AppliedMoment, Target::Connection(Kind::Contact, _)) => {
-                "moment of the beams on what they touch, about the place of the first surface or the global origin, in global axes"
+                "moment of the beams on what they touch, about the origin of the surface, in global axes"
             }
             (Quantity::Energy, Target::Connection(Kind::Contact, _)) => "elastic energy of the penetration",
             (Quantity::ReactionForce, Target::Connection(Kind::Foundation, _)) => {
