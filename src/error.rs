@@ -59,6 +59,24 @@ t = decimal(*.time)
         /// The bound, rad.
         limit: f64,
     },
+    /// A beam has run through another one, or through itself.
+    #[error(
+        "element {element} of {beam} ran through element {touched} of {other} in the step to t = {t} s; try a smaller \
+         step, or a stiffer contact",
+t = decimal(*.time)
+)]
+    BeamThroughBeam {
+        /// Time of the step's end, s.
+        time: f64,
+        /// The beam's name.
+        beam: String,
+        /// Number of the element in the beam, from 0.
+        element: usize,
+        /// Name of the other beam.
+        other: String,
+        /// Number of the element in the other beam, from 0.
+        touched: usize,
+    },
     /// A beam has run through a convex surface.
     #[error(
         "element {element} of {beam} ran through surface {surface} (radius {radius:.3} m) in the step to t = {t} s; \

@@ -1,5 +1,7 @@
 //! A sparse matrix as a fixed list of dense blocks: what mechanics writes and the linear solver reads.
 
+use std::ops::Range;
+
 /// Where a dense block sits: `rows × columns` from (`row`, `column`) on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Block {
@@ -22,6 +24,8 @@ pub struct Blocks {
     values: Vec<f64>,
     /// Blocks off the diagonal that the next one is the place of the transpose of, and not the transpose itself.
     mirrored: Vec<usize>,
+    /// Blocks that are zero most of the time.
+    occasional: Range<usize>,
 }
 
 impl Blocks {
@@ -40,6 +44,27 @@ impl Blocks {
         let number = self.push(block);
         self.push(Block { row: column, column: row, rows: columns, columns: rows });
         self.mirrored.push(number);
+    }
+
+    /// Adds a block that is zero most of the time, behind others of this kind.
+    pub fn push_occasional(&mut self, block: Block) {
+        let number = self.push(block);
+        let first = if self.occasional.is_empty() { number } else { self.occasional.start };
+        self.occasional = first..number + 1;
+    }
+
+    /// The blocks of this kind that are not zero now, by their numbers.
+    pub fn awake(&self) -> impl Iterator<Item = usize> + '_ {
+        self.occasional.clone().filter(|number| self.block(*number).iter().any(|value| *value != 0.0))
+    }
+
+    /// The blocks but for those that are zero now as most of the time, each with the position of its first value.
+    pub fn in_use(&self) -> impl Iterator<Item = (usize, &Block)> + '_ {
+        let mut awake = self.awake().peekable();
+        self.layout.iter().enumerate().filter_map(move |(number, block)| {
+            let is_used = !self.occasional.contains(&number) || awake.next_if_eq(&number).is_some();
+            is_used.then_some((self.offsets[number], block))
+        })
     }
 
     /// Gives back the memory that further blocks would take.
@@ -133,7 +158,7 @@ impl Blocks {
     /// Becomes its symmetric part, where blocks off the diagonal come in pairs that are each other's transposes, but
     /// for mirrored ones.
     pub fn symmetrize(&mut self) {
-        let Self { layout, offsets, values, mirrored } = self;
+        let Self { layout, offsets, values, mirrored, .. } = self;
         let mut set_mean = |own: usize, other: usize| {
             let mean = 0.5 * (values[own] + values[other]);
             (values[own], values[other]) = (mean, mean);

@@ -1,10 +1,13 @@
-//! Contact of beams with rigid surfaces: a force per length of beam that depends on how far its surface is inside.
+//! Contact of beams with rigid surfaces and with each other: a force per length of beam that depends on how far its
+//! surface is inside.
 //!
-//! A contact is one surface and the elements of one beam that may touch it. Sums over a system are in
-//! `system/contacts.rs`.
+//! A contact is one surface and the elements of one beam that may touch it; of beams with each other it is a pair of
+//! them (`mutual`). Sums over a system are in `system/contacts.rs` and `system/beam_contacts.rs`.
 
+pub mod axis;
 pub mod grip;
 pub mod law;
+pub mod mutual;
 pub mod pieces;
 pub mod shape;
 pub mod touch;

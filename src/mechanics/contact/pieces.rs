@@ -9,7 +9,6 @@ use crate::math::quadrature::{FOUR_POINTS, FOUR_WEIGHTS};
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::ancf14::coordinates::SHAPE_PLACES;
 use crate::mechanics::beam::element::AnyElement;
-use crate::mechanics::contact::shape::Shape;
 use crate::mechanics::marker::configuration::Configuration;
 
 /// Cells of an element, which keep what friction remembers.
@@ -58,6 +57,9 @@ impl Lying {
     }
 }
 
+/// How far points of an element are above what they may touch, by their positions, m.
+pub type Gap<'a> = &'a dyn Fn(f64) -> f64;
+
 /// Positions in ascending order.
 #[derive(Clone, Copy, Debug)]
 struct Borders {
@@ -74,14 +76,12 @@ impl Borders {
     }
 }
 
-/// Calls `take` with the cell, the position and the share of the length of each point at which `gap` of one of the ends
-/// is negative; `shape` and `radius` give the gaps of both ends, which may be the same.
-pub fn each_point(shape: &Shape, radius: f64, ends: [&Lying; 2], mut take: impl FnMut(usize, f64, f64)) {
+/// Calls `take` with the cell, the position and the share of `length` of each point of an element at which one of the
+/// `gaps` is negative: that of an instant, or those of both ends of a step.
+pub fn each_point(gaps: &[Gap], length: f64, take: &mut dyn FnMut(usize, f64, f64)) {
     let mut borders = Borders { list: [0.0; 2 * MOST_ROOTS + CELLS + 1], number: 0 };
-    let is_instant = std::ptr::eq(ends[0], ends[1]);
-    let gaps = ends.map(|end| move |xi: f64| shape.distance(&end.point(xi)) - radius);
     let mut touches = false;
-    for gap in &gaps[usize::from(is_instant)..] {
+    for gap in gaps {
         touches |= find_roots(gap, &mut borders);
     }
     if !touches {
@@ -90,7 +90,6 @@ pub fn each_point(shape: &Shape, radius: f64, ends: [&Lying; 2], mut take: impl 
     (0..=CELLS).for_each(|cell| borders.push(cell as f64 / CELLS as f64));
     let borders = &mut borders.list[..borders.number];
     borders.sort_unstable_by(f64::total_cmp);
-    let length = ends[1].length;
     for pair in borders.windows(2) {
         let (from, to) = (pair[0], pair[1]);
         let middle = 0.5 * (from + to);
@@ -105,7 +104,7 @@ pub fn each_point(shape: &Shape, radius: f64, ends: [&Lying; 2], mut take: impl 
 }
 
 /// Adds the roots of `gap` to `positions`. Returns whether the gap is negative anywhere.
-fn find_roots(gap: &impl Fn(f64) -> f64, borders: &mut Borders) -> bool {
+fn find_roots(gap: Gap, borders: &mut Borders) -> bool {
     let at = |number: usize| number as f64 / INTERVALS as f64;
     let samples: [f64; INTERVALS + 1] = std::array::from_fn(|number| gap(at(number)));
     let mut touches = samples.iter().any(|gap| *gap < 0.0);
@@ -144,7 +143,7 @@ fn bend(samples: &[f64; INTERVALS + 1], number: usize) -> f64 {
 
 /// The root of `gap` between two positions at which it has different signs: by secants, and by halving where they leave
 /// one side standing.
-fn root(gap: &impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2], [mut at_low, mut at_high]: [f64; 2]) -> f64 {
+fn root(gap: Gap, [mut low, mut high]: [f64; 2], [mut at_low, mut at_high]: [f64; 2]) -> f64 {
     let (mut best, mut moved) = ((f64::INFINITY, 0.5 * (low + high)), 0);
     for round in 0..ROUNDS {
         let secant = low - at_low * (high - low) / (at_high - at_low);
@@ -167,8 +166,8 @@ fn root(gap: &impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2], [mut at_low, m
     best.1
 }
 
-/// Place and value of the least gap between two positions.
-fn least(gap: &impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> (f64, f64) {
+/// Position and value of the least gap between two positions.
+pub fn least(gap: Gap, [mut low, mut high]: [f64; 2]) -> (f64, f64) {
     let mut inner = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
     let mut values = inner.map(gap);
     for _ in 0..SEARCHES {
@@ -191,6 +190,7 @@ fn least(gap: &impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> (f64, f64)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mechanics::contact::shape::Shape;
 
     /// A straight element of 1 m along y, `height` m above the middle of a small cylinder at 0.313 of its length.
     fn lying(height: f64) -> Lying {
@@ -206,7 +206,8 @@ mod tests {
         let shape = Shape::Cylinder { radius, half_length: f64::INFINITY, inside: false };
         let own = lying(height);
         let mut sum = 0.0;
-        each_point(&shape, 0.0, [&own, &own], |_, xi, share| sum -= share * shape.distance(&own.point(xi)));
+        let gap = |xi: f64| shape.distance(&own.point(xi));
+        each_point(&[&gap], 1.0, &mut |_, xi, share| sum -= share * gap(xi));
         let half = (radius * radius - height * height).sqrt();
         // ∫ √(y² + h²) dy from −a to a.
         let exact = 2.0 * radius * half - (half * radius + height * height * (half / height).asinh());
@@ -226,8 +227,9 @@ mod tests {
             let along = |xi: f64| Vec3::new(-slope(xi), 1.0, 0.0);
             let own = Lying { vectors: [position(0.0), along(0.0), position(1.0), along(1.0)], length: 1.0 };
             let (mut force, mut squares, mut length) = (0.0, 0.0, 0.0);
-            each_point(&Shape::Plane, 0.0, [&own, &own], |_, xi, share| {
-                let pressure = -own.point(xi).x;
+            let gap = |xi: f64| own.point(xi).x;
+            each_point(&[&gap], 1.0, &mut |_, xi, share| {
+                let pressure = -gap(xi);
                 force += share * pressure;
                 squares += share * pressure * pressure;
                 length += share;
@@ -246,13 +248,13 @@ mod tests {
     /// Over a step, both ends' borders are borders of pieces; points of no cell are lost.
     #[test]
     fn both_ends_count() {
-        let shape = Shape::Plane;
         let [start, end] = [1e-3, -1e-3].map(|offset| {
             let (border, along) = (Vec3::new(offset, 0.0, 0.0), Vec3::new(0.01, 1.0, 0.0));
             Lying { vectors: [border, along, border + along, along], length: 1.0 }
         });
         let (mut sum, mut cells) = (0.0, [0; CELLS]);
-        each_point(&shape, 5e-3, [&start, &end], |cell, _, share| {
+        let gaps = [|xi: f64| start.point(xi).x - 5e-3, |xi: f64| end.point(xi).x - 5e-3];
+        each_point(&[&gaps[0], &gaps[1]], 1.0, &mut |cell, _, share| {
             sum += share;
             cells[cell] += 1;
         });

@@ -7,7 +7,7 @@
 
 use super::Contact;
 use super::law::Pressure;
-use super::pieces::each_point;
+use super::pieces::{Gap, Lying, each_point};
 use crate::math::{Mat3, Vec3, hermite};
 use crate::mechanics::beam::ancf14::coordinates::interpolate;
 use crate::mechanics::beam::element::AnyElement;
@@ -82,9 +82,10 @@ impl Contact {
             return;
         }
         let lying = [0, 1].map(|end| self.lying(element, &carriers[end], configurations[end]));
-        let [start, end] = &lying;
         let (shape, radius, (_, axes)) = (&self.surface.shape, self.radius, self.seat());
-        each_point(shape, radius, [start, end], |cell, xi, share| {
+        let gap = |own: &Lying, xi: f64| shape.distance(&own.point(xi)) - radius;
+        let gaps: [Gap; 2] = [&|xi| gap(&lying[0], xi), &|xi| gap(&lying[1], xi)];
+        each_point(&gaps, lying[1].length, &mut |cell, xi, share| {
             let weights = hermite::shape(xi, element.length());
             let points = lying.map(|own| own.point(xi));
             let penetrations = points.map(|point| radius - shape.distance(&point));
@@ -127,7 +128,8 @@ impl Contact {
         }
         let lying = self.lying(element, &carrier, c);
         let (shape, radius, (_, axes)) = (&self.surface.shape, self.radius, self.seat());
-        each_point(shape, radius, [&lying, &lying], |cell, xi, share| {
+        let gap: Gap = &|xi| shape.distance(&lying.point(xi)) - radius;
+        each_point(&[gap], lying.length, &mut |cell, xi, share| {
             let point = lying.point(xi);
             let penetration = radius - shape.distance(&point);
             let (weights, normal) = (hermite::shape(xi, element.length()), shape.normal(&point));

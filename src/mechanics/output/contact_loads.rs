@@ -3,15 +3,17 @@
 use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::ancf14::coordinates::interpolate;
 use crate::mechanics::contact::grip::{Cells, Pressing};
+use crate::mechanics::contact::mutual::{BeamContact, Meeting};
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::system::System;
 
-/// Forces that a contact transmits, summed over its beams and surfaces.
+/// Forces that a contact transmits, summed over its beams and what they touch.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ContactLoads {
     /// Force on the beams, N.
     pub force: Vec3,
-    /// Moment on the beams about the position of the first surface, N m.
+    /// Moment on the beams about the position of the first surface, or about the origin where beams touch each other,
+    /// N m.
     pub moment: Vec3,
     /// Sum of the sizes of all normal forces, N.
     pub normal: f64,
@@ -48,9 +50,7 @@ impl System {
                     found.penetration = found.penetration.max(touch.penetration);
                     found.length += touch.length;
                     found.energy += touch.energy;
-                    let slope = interpolate(&hermite::shape_x(touch.xi, element.length()), q);
-                    let bend = interpolate(&hermite::shape_xx(touch.xi, element.length()), q);
-                    found.wrap += touch.length * slope.cross(&bend).norm() / slope.norm_squared();
+                    found.wrap += touch.length * bending(element.length(), touch.xi, q);
                 });
                 contact.each_grip(own, element, c, passage, &cells, |grip| {
                     let [force, moment] = grip.in_space();
@@ -64,6 +64,34 @@ impl System {
             }
         }
         found.sliding /= f64::max(cells_with_friction, 1.0);
+        for contact in self.beam_contacts.iter().filter(|contact| contact.number == number) {
+            contact.each_meeting(c, passage, &mut |meeting| self.add_meeting_to(&mut found, contact, meeting, c));
+        }
         found
     }
+
+    /// Adds a point at which beams touch each other: the force on the beam that touches, about the origin.
+    fn add_meeting_to(&self, sums: &mut ContactLoads, contact: &BeamContact, meeting: &Meeting, c: &Configuration) {
+        let own = contact.strands[meeting.side].elements.start + meeting.elements[0];
+        let element = &self.mesh.elements[own];
+        let (q, xi) = (&c.beams.q[element.coordinates()], meeting.xi[0]);
+        if !contact.is_own() {
+            let force = meeting.push * if meeting.side == 0 { meeting.pressing } else { -meeting.pressing };
+            // Along the line of the force both beams have the same moment.
+            sums.force += force;
+            sums.moment += (interpolate(&hermite::shape(xi, element.length()), q) + self.origin).cross(&force);
+        }
+        sums.normal += meeting.pressing;
+        sums.penetration = sums.penetration.max(meeting.penetration);
+        sums.length += meeting.length;
+        sums.energy += meeting.energy;
+        sums.wrap += meeting.length * bending(element.length(), xi, q);
+    }
+}
+
+/// Angle per length by which an element of this length is bent at `xi`, rad/m.
+fn bending(length: f64, xi: f64, q: &[f64]) -> f64 {
+    let slope = interpolate(&hermite::shape_x(xi, length), q);
+    let bend = interpolate(&hermite::shape_xx(xi, length), q);
+    slope.cross(&bend).norm() / slope.norm_squared()
 }

@@ -5,6 +5,7 @@ mod foundations;
 mod heating;
 pub mod ropes;
 mod sliding;
+mod touching;
 mod watching;
 
 use super::System;
@@ -25,8 +26,6 @@ use crate::mechanics::body::rigid_body::{BodyDesign, RigidBody};
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::rigidity;
 use crate::mechanics::constraint::weld;
-use crate::mechanics::contact::Contact;
-use crate::mechanics::contact::grip::REMEMBERED;
 use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::load::{Load, Site};
 use crate::mechanics::force::spring::Spring;
@@ -379,15 +378,6 @@ impl SystemBuilder {
     /// The elements of beam `beam`.
     pub fn elements_of(&self, beam: usize) -> Range<usize> {
         self.system.beams[beam].element_range()
-    }
-
-    /// Adds a contact.
-    pub fn add_contact(&mut self, mut contact: Contact) {
-        if let Some(friction) = &mut contact.friction {
-            friction.memory = self.memory;
-            self.memory += REMEMBERED * contact.elements.len();
-        }
-        self.system.contacts.push(contact);
     }
 
     /// Adds a load.

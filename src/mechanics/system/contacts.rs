@@ -48,6 +48,11 @@ pub(super) struct ContactEnergy {
 }
 
 impl System {
+    /// Whether beams may touch surfaces or each other.
+    pub fn has_contacts(&self) -> bool {
+        !self.contacts.is_empty() || !self.beam_contacts.is_empty()
+    }
+
     /// Contacts with the elements that may touch, by their numbers.
     fn contact_elements(&self) -> impl Iterator<Item = (&Contact, usize, &AnyElement)> + '_ {
         self.contacts.iter().flat_map(|contact| {
@@ -73,6 +78,7 @@ impl System {
             });
             contact.each_grip(number, element, c, passage, &cells, |grip| add_friction(grip, start, body, forces));
         }
+        self.add_beam_contact_forces(c, passage, 1.0, forces);
     }
 
     /// Adds `factor` times the normal forces alone.
@@ -81,6 +87,7 @@ impl System {
             let (start, body) = (element.coordinates().start, contact.body());
             contact.each_touch(element, c, passage, |touch| add_force(touch, start, body, factor, forces));
         }
+        self.add_beam_contact_forces(c, passage, factor, forces);
     }
 
     /// [`Self::add_contact_forces`], and adds `scale` times their derivative to the blocks of elements and bodies, and
@@ -179,16 +186,17 @@ impl System {
         for (contact, _, element) in self.contact_elements() {
             contact.each_touch(element, c, &Passage::Rest, |touch| sum += touch.energy);
         }
-        sum
+        sum + self.beam_contact_energy(c)
     }
 
     /// Adds the forces of contact over `step`, whose middle is `c`. Returns what they do to the energies.
     pub(super) fn finish_contacts(&self, c: &Configuration, step: &TimeStep, forces: &mut [f64]) -> ContactEnergy {
         let mut found = ContactEnergy::default();
-        if self.contacts.is_empty() {
+        if !self.has_contacts() {
             return found;
         }
         let passage = Passage::Step(*step);
+        found.dissipated = self.finish_beam_contacts(c, step, forces);
         found.elastic = self.contact_energy(step.end);
         for (contact, number, element) in self.contact_elements() {
             let (first, body, mut cells) = (element.coordinates().start, contact.body(), Cells::default());
@@ -231,10 +239,11 @@ impl System {
     /// # Errors
     /// One has: it might leave on the other side.
     pub(super) fn check_contacts(&self, c: &Configuration, state: &State, time: f64) -> Result<(), Error> {
-        if self.contacts.is_empty() {
+        if !self.has_contacts() {
             return Ok(());
         }
         let before = Configuration { accepted: (&state.q, &state.prescribed), ..*c }.accepted();
+        self.check_beam_contacts([&before, c], time)?;
         let found = self.contact_elements().find(|(own, _, element)| own.is_run_through(element, [&before, c]));
         let Some((contact, number, _)) = found else { return Ok(()) };
         let (beam, element) = self.beam_of(number);
@@ -243,7 +252,7 @@ impl System {
     }
 
     /// Calls `take` with the position in element `number`, and with force (N) and moment (N m) on it in global axes, of
-    /// each point that touches a surface.
+    /// each point that touches something.
     pub fn each_touch_of(
         &self,
         number: usize,
@@ -259,6 +268,7 @@ impl System {
             });
             contact.each_grip(number, element, c, passage, &cells, |grip| take(grip.xi, grip.in_space()));
         }
+        self.each_meeting_of(number, c, passage, &mut take);
     }
 }
 
@@ -348,7 +358,7 @@ fn add_with_body(touch: &Touch, scale: f64, by_body: &mut [f64], by_element: &mu
 }
 
 /// Adds a matrix to a column-major block of `rows` rows, with its corner at `row` and `column`.
-fn add_block(block: &mut [f64], rows: usize, [row, column]: [usize; 2], own: &Mat3) {
+pub(super) fn add_block(block: &mut [f64], rows: usize, [row, column]: [usize; 2], own: &Mat3) {
     for (number, values) in own.column_iter().enumerate() {
         let first = (column + number) * rows + row;
         block[first..first + 3].iter_mut().zip(values.iter()).for_each(|(sum, value)| *sum += value);

@@ -3,6 +3,7 @@
 use super::equations::add_corner;
 use crate::math::blocks::Blocks;
 use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::fluid::Fluid;
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::geometry::marker_jacobian::MarkerMatrix;
 use crate::mechanics::input::excitation::Excitation;
@@ -13,6 +14,18 @@ use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::tangent_layout::TangentLayout;
 
 impl System {
+    /// Whether a spring or a material has damping.
+    pub fn is_damped(&self) -> bool {
+        self.springs.iter().any(Spring::is_damped)
+            || self.contacts.iter().any(|contact| contact.law.is_damped())
+            || self.beam_contacts.iter().any(|contact| contact.law.is_damped())
+            || self.foundations.iter().any(|own| own.bedding.is_damped())
+            || self.ropes.iter().any(|own| own.elasticity.damping != 0.0)
+            || self.has_material_damping()
+            || self.has_mass_damping()
+            || self.fluids.iter().any(Fluid::drags)
+    }
+
     /// The elements whose material is damped, with their numbers.
     fn damped_elements(&self) -> impl Iterator<Item = (usize, &AnyElement)> + '_ {
         self.mesh.elements.iter().enumerate().filter(|(_, element)| element.is_damped())
@@ -137,6 +150,7 @@ impl System {
             spring.damping_matrix(coordinate, c, velocity)
         });
         self.add_contact_damping(c, velocity, factor, tangent);
+        self.add_beam_contact_damping(c, velocity, factor, tangent);
         self.add_foundation_damping(c, velocity, factor, tangent);
         self.add_rope_damping(c, velocity, factor, tangent);
     }
@@ -150,6 +164,7 @@ impl System {
         self.add_fluid_damping(c, &rest, excitation, 1.0, tangent);
         self.add_spring_and_mass_damping(c, 1.0, tangent, |spring, coordinate| spring.damping_at_rest(coordinate, c));
         self.add_contact_damping(c, &rest, 1.0, tangent);
+        self.add_beam_contact_damping(c, &rest, 1.0, tangent);
         self.add_foundation_damping(c, &rest, 1.0, tangent);
         self.add_rope_damping(c, &rest, 1.0, tangent);
     }

@@ -31,7 +31,7 @@ impl System {
     pub(super) fn with_stored_energy(&self, beams: f64, c: &Configuration) -> f64 {
         let energy = |spring: &Spring| spring.energy(&self.relative_coordinates[spring.coordinate], c);
         let whole = self.springs.iter().fold(beams, |sum, spring| sum + energy(spring));
-        let whole = if self.contacts.is_empty() { whole } else { whole + self.contact_energy(c) };
+        let whole = if self.has_contacts() { whole + self.contact_energy(c) } else { whole };
         let whole = if self.foundations.is_empty() { whole } else { whole + self.foundation_energy(c) };
         if self.ropes.is_empty() { whole } else { whole + self.rope_energy(c) }
     }

@@ -44,6 +44,7 @@ impl System {
             push(element.clone(), body.clone());
             push(body, element);
         }
+        self.push_beam_contact_blocks(blocks);
         self.push_rope_blocks(blocks);
         self.push_reading_blocks(blocks);
     }
@@ -102,6 +103,7 @@ impl System {
         self.set_spring_tangent(c, passage, scale, tangent);
         self.set_effort_tangent(c, passage, excitation, scale, tangent);
         self.add_contacts_and_set_tangent(c, passage, scale, forces, tangent);
+        self.add_beam_contacts_and_set_tangent(c, passage, scale, forces, tangent);
         self.add_foundations_and_tangent(c, passage, scale, forces, tangent);
         self.add_ropes_and_set_tangent(c, passage, scale, forces, tangent);
         self.add_fluid_and_tangent(c, passage, excitation, scale, forces, tangent);

@@ -56,7 +56,7 @@ impl System {
             || self.is_in_fluid()
             || self.loads.iter().any(Load::may_turn)
             || self.springs.iter().any(|own| !own.is_idle())
-            || !self.contacts.is_empty()
+            || self.has_contacts()
             || !self.foundations.is_empty()
             || !self.ropes.is_empty()
     }

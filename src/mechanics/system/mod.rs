@@ -1,5 +1,6 @@
 //! The whole system. Never changes in a run but for gravity, the size of loads, springs and dampers: what is tunable.
 
+mod beam_contacts;
 mod breaks;
 pub mod builder;
 mod contacts;
@@ -52,6 +53,7 @@ use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::body::rigid_body::RigidBody;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::contact::Contact;
+use crate::mechanics::contact::mutual::BeamContact;
 use crate::mechanics::fluid::Fluid;
 use crate::mechanics::force::actuator::Actuator;
 use crate::mechanics::force::foundation::Foundation;
@@ -110,6 +112,8 @@ pub struct System {
     pub actuators: Vec<Actuator>,
     /// Contacts of beams with surfaces, in file order.
     pub contacts: Vec<Contact>,
+    /// Contacts of beams with each other and with themselves, in file order.
+    pub beam_contacts: Vec<BeamContact>,
     /// Elastic foundations, in file order.
     pub foundations: Vec<Foundation>,
     /// Ropes over sheaves, in file order.
@@ -243,17 +247,6 @@ impl System {
         };
         let drive = drive.map(|(drive, jet)| format!("the {} of {}", part(jet), drive.label()));
         drive.or_else(|| frame.map(|(frame, _)| format!("the motion of frame {}", frame.name)))
-    }
-
-    /// Whether a spring or a material has damping.
-    pub fn is_damped(&self) -> bool {
-        self.springs.iter().any(Spring::is_damped)
-            || self.contacts.iter().any(|contact| contact.law.is_damped())
-            || self.foundations.iter().any(|own| own.bedding.is_damped())
-            || self.ropes.iter().any(|own| own.elasticity.damping != 0.0)
-            || self.has_material_damping()
-            || self.has_mass_damping()
-            || self.fluids.iter().any(Fluid::drags)
     }
 
     /// Number of coordinates: those of the nodes, then those of the bodies.

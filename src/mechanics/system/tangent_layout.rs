@@ -1,5 +1,5 @@
 //! The order of the blocks of a system's tangent: those of elements, bodies, load points, springs, actuators, contacts
-//! with bodies, ropes, and what actuators read.
+//! with bodies and of beams with each other, ropes, and what actuators read.
 
 use super::System;
 use crate::mechanics::force::load::Site;
@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// Blocks of a spring or an actuator: one for each pair of its sides.
 const OF_PAIR: usize = 4;
-/// Blocks between an element and the body whose surface it may touch: its force by the body, the body's by it.
+/// Blocks between an element and the body or the element that it may touch: its force by that, and the other way round.
 const OF_CONTACT: usize = 2;
 
 /// The numbers of the blocks of the tangent, which come first in the matrix of every solver.
@@ -18,6 +18,7 @@ pub(super) struct TangentLayout {
     first_spring: usize,
     first_actuator: usize,
     first_contact: usize,
+    first_beam_contact: usize,
     first_rope: usize,
     first_reading: usize,
 }
@@ -30,9 +31,19 @@ impl TangentLayout {
         let first_spring = first_load_point + load_points;
         let first_actuator = first_spring + OF_PAIR * system.springs.len();
         let first_contact = first_actuator + OF_PAIR * system.actuators.len();
-        let first_rope = first_contact + OF_CONTACT * system.contact_pairs().count();
+        let first_beam_contact = first_contact + OF_CONTACT * system.contact_pairs().count();
+        let first_rope = first_beam_contact + OF_CONTACT * system.touching_pairs();
         let first_reading = first_rope + system.rope_blocks();
-        Self { first_body, first_load_point, first_spring, first_actuator, first_contact, first_rope, first_reading }
+        Self {
+            first_body,
+            first_load_point,
+            first_spring,
+            first_actuator,
+            first_contact,
+            first_beam_contact,
+            first_rope,
+            first_reading,
+        }
     }
 
     /// Blocks of a reading of an actuator: two for each pair of a side of the actuator and one of the reading.
@@ -64,7 +75,12 @@ impl TangentLayout {
 
     /// The blocks of contacts with bodies, in the order of the contacts and their elements.
     pub fn contact_pairs(self) -> Range<usize> {
-        self.first_contact..self.first_rope
+        self.first_contact..self.first_beam_contact
+    }
+
+    /// The blocks of beams that touch each other, in the order of the contacts and of the pairs of their elements.
+    pub fn beam_contacts(self) -> Range<usize> {
+        self.first_beam_contact..self.first_rope
     }
 
     /// The first block of ropes, which are in the order of the ropes and of the pairs of their parts.

@@ -40,6 +40,12 @@ impl Builder<'_> {
             let name = written.name.clone();
             self.system.add_contact(Contact { name, number, surface, elements, radius, law, friction, ground });
         }
+        for pair in written.beam_pairs() {
+            let radius = |beam| contact_radius(self.document, written, beam);
+            let strands = [(pair.0, radius(pair.0)), (pair.1, radius(pair.1))];
+            let law = law_of_pair(self.document, written, pair);
+            self.system.add_beam_contact((written.name.clone(), number), strands, law);
+        }
     }
 
     pub(super) fn surface(&self, spec: &SurfaceSpec) -> Surface {
@@ -86,8 +92,7 @@ fn law(document: &Document, written: &ContactSpec, beam: usize, shape: &Shape) -
         || {
             let own = &document.beams[beam];
             let section = sections::at_start(document, &document.sections[own.section]);
-            let young = sections::material(document, own).map_or(0.0, |material| material.young);
-            let (axial, radius) = (young * section.area, contact_radius(document, written, beam));
+            let (axial, radius) = (axial_stiffness(document, beam), contact_radius(document, written, beam));
             match *shape {
                 Shape::Cylinder { radius, .. } | Shape::Sphere { radius, .. } | Shape::Sheave { radius, .. } => {
                     ROUND_SHARE * axial / (radius * radius)
@@ -100,6 +105,28 @@ fn law(document: &Document, written: &ContactSpec, beam: usize, shape: &Shape) -
         |stiffness| document.value(stiffness),
     );
     Law { stiffness, damping: document.value(written.damping), viscosity: 0.0 }
+}
+
+/// The normal force of two beams on each other. By default both are as stiff as on a cylinder as large as the distance
+/// of their axes.
+fn law_of_pair(document: &Document, written: &ContactSpec, pair: (usize, usize)) -> Law {
+    let beams = [pair.0, pair.1];
+    let stiffness = written.stiffness.map_or_else(
+        || {
+            let distance: f64 = beams.into_iter().map(|beam| contact_radius(document, written, beam)).sum();
+            let axial = beams.into_iter().map(|beam| axial_stiffness(document, beam)).fold(f64::INFINITY, f64::min);
+            ROUND_SHARE * axial / (distance * distance).max(f64::MIN_POSITIVE)
+        },
+        |stiffness| document.value(stiffness),
+    );
+    Law { stiffness, damping: document.value(written.damping), viscosity: 0.0 }
+}
+
+/// `EA` at the start of a beam, N.
+fn axial_stiffness(document: &Document, beam: usize) -> f64 {
+    let own = &document.beams[beam];
+    let young = sections::material(document, own).map_or(0.0, |material| material.young);
+    young * sections::at_start(document, &document.sections[own.section]).area
 }
 
 /// The friction of `beam` in a contact with the normal force `law`; `memory` is the first number that it remembers.
@@ -128,5 +155,9 @@ pub(super) fn retune(document: &Document, system: &mut System) {
         contact.law = law(document, written, beam, &contact.surface.shape);
         let memory = contact.friction.map_or(0, |own| own.memory);
         contact.friction = friction(document, written, (&contact.law, beam), memory);
+    }
+    let pairs = document.contacts.iter().flat_map(|own| own.beam_pairs().into_iter().map(move |pair| (own, pair)));
+    for (contact, (written, pair)) in system.beam_contacts.iter_mut().zip(pairs) {
+        contact.law = law_of_pair(document, written, pair);
     }
 }

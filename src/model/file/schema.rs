@@ -137,7 +137,7 @@ pub enum Role {
     Curve,
     /// The name of a thing of a section, or of a place or a point of it; a position where it is a list.
     Name(&'static str),
-    /// The name of a thing of a section, or a list of such names.
+    /// The name of a thing of a section (or of one of several, with ` or ` between them), or a list of such names.
     Names(&'static str),
     /// The name of a part or a point of it, whatever it is.
     Part,

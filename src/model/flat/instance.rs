@@ -7,6 +7,7 @@ use super::scalar::Scalar;
 use super::scope::{Found, Meaning, Scope, entries_of};
 use super::tables::{COPY, FUNCTION, INCLUDE, PARAMETERS, Role, role};
 use crate::model::expression::{Variable, compile};
+use crate::model::file::entries::contact::ITSELF;
 use crate::model::file::entries::{SINGLE, keys_of};
 use crate::model::text::diagnostic::{Place, Report, Source};
 use crate::model::text::names::{SECTIONS, suggestion};
@@ -293,7 +294,7 @@ impl<'a> Flattener<'a> {
         }
         let flat = match scope.find(section, name, &indices) {
             Found::Name(flat) => flat,
-            Found::Unknown if indices.is_empty() && (name == "ground" || name.is_empty()) => name.to_owned(),
+            Found::Unknown if indices.is_empty() && ["ground", ITSELF, ""].contains(&name) => name.to_owned(),
             Found::Unknown if indices.is_empty() => scope_prefix(scope, name),
             Found::Unknown => {
                 let label = suggestion(name, scope.known(section));

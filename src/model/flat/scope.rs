@@ -2,7 +2,7 @@
 //! same copy; inside an included file names have the prefix of the include.
 
 use super::motion::Motion;
-use super::tables::{FUNCTION, INCLUDE, PARAMETERS, PLACES, bodies, has, names_of, table};
+use super::tables::{FUNCTION, INCLUDE, PARAMETERS, PLACES, bodies, has, is_among, names_of, table};
 use crate::model::text::names::{Kind, SECTIONS};
 use crate::model::text::tree::{Entry, Item, Node};
 
@@ -175,7 +175,7 @@ impl<'p> Scope<'p> {
     pub fn known(&'p self, section: Option<&str>) -> Vec<&'p str> {
         let words = SECTIONS.iter().filter(|(word, kind)| match section {
             Some(PLACES) => kind.is_place(),
-            Some(section) => *word == section,
+            Some(sections) => is_among(sections, word),
             None => !matches!(kind, Kind::Function | Kind::Material | Kind::Section),
         });
         let words: Vec<&str> = words.map(|(word, _)| *word).collect();

@@ -40,10 +40,15 @@ pub fn role(section: &str, key: &str, is_list: bool) -> Role {
 pub fn has(body: &[Entry], section: Option<&str>, name: &str) -> bool {
     let is_wanted = |(word, kind): &&(&str, Kind)| match section {
         Some(PLACES) => kind.is_place(),
-        Some(section) => *word == section,
+        Some(sections) => is_among(sections, word),
         None => !matches!(kind, Kind::Function | Kind::Material | Kind::Section | Kind::Load | Kind::Output),
     };
     SECTIONS.iter().filter(is_wanted).any(|(word, _)| names_of(body, word).any(|known| known == name))
+}
+
+/// Whether a word is one of `sections`: a word, or several with `or` between them.
+pub fn is_among(sections: &str, word: &str) -> bool {
+    sections.split(" or ").any(|own| own == word)
 }
 
 /// What the copies of `body` have.

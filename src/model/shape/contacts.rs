@@ -6,7 +6,9 @@ use crate::model::file::entries::contact::ContactSpec;
 
 /// Distance of the surface of a beam from its axis, m.
 pub fn contact_radius(document: &Document, written: &ContactSpec, beam: usize) -> f64 {
-    written.radius.map_or_else(
+    // The radius of a contact is that of the beams that touch, not of other ones that they touch.
+    let written = written.radius.filter(|_| written.beams.contains(&beam));
+    written.map_or_else(
         || {
             let own = &document.sections[document.beams[beam].section];
             let outline = sections::at_start(document, own).outline.size().map(|size| size[0].max(size[1]));

@@ -1,4 +1,4 @@
-//! Mistakes of the beams and surfaces of a contact.
+//! Mistakes of a contact: of its beams, and of what they touch.
 
 use super::Checker;
 use crate::model::file::entries::contact::ContactSpec;
@@ -9,14 +9,17 @@ impl Checker<'_> {
     /// Reports what a contact cannot have.
     pub(super) fn check_contact(&mut self, contact: &ContactSpec) {
         let document = self.document;
-        for number in &contact.beams {
+        for number in contact.beams.iter().chain(&contact.touched) {
             let (Some(beam), Some([label, help])) = (document.beams.get(*number), self.unfit_along(*number)) else {
                 continue;
             };
-            let message = format!("beam {} cannot touch surfaces in contact {}", beam.name, contact.name);
+            let message = format!("beam {} cannot touch anything in contact {}", beam.name, contact.name);
             self.mistake(contact.place, &message, label, help);
         }
         self.refuse_generalized_alpha(contact.place, ["contact", "contacts"], &contact.name);
+        if contact.is_between_beams() {
+            self.check_beam_pairs(contact);
+        }
         for (beam, surface) in contact.pairs() {
             let (Some(_), Some(surface)) = (document.beams.get(beam), document.surfaces.get(surface)) else { continue };
             let room = match surface.shape {
@@ -35,6 +38,35 @@ impl Checker<'_> {
                 let help = "take a larger surface, or set `radius` of the contact";
                 self.mistake(contact.place, &message, "the beam does not fit into it", help);
             }
+        }
+    }
+
+    /// Reports what a contact of beams with each other cannot have.
+    fn check_beam_pairs(&mut self, contact: &ContactSpec) {
+        let document = self.document;
+        if contact.friction.is_some() {
+            let message = format!("contact {} has friction, and beams touch each other without", contact.name);
+            let help = "leave `friction` out, and give surfaces a contact of their own";
+            self.mistake(contact.place, &message, "friction is only on surfaces", help);
+        }
+        let pairs = contact.beam_pairs();
+        if pairs.is_empty() {
+            let message = format!("no two beams touch each other in contact {}", contact.name);
+            self.mistake(
+                contact.place,
+                &message,
+                "a beam is with itself here",
+                "write with = \"itself\" for its own coils",
+            );
+        }
+        for (one, other) in pairs {
+            let mut ends = [one, other].into_iter();
+            let has_no_radius = |beam: &usize| contact_radius(document, contact, *beam) <= 0.0;
+            let Some(beam) = ends.find(has_no_radius).and_then(|beam| document.beams.get(beam)) else { continue };
+            let message = format!("beam {} has no thickness in contact {}", beam.name, contact.name);
+            let help = "set `outer_diameter` of its section, or `radius` of the contact for the beams in `of`";
+            self.mistake(contact.place, &message, "beams that touch each other need a radius", help);
+            return;
         }
     }
 }

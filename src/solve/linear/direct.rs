@@ -9,11 +9,15 @@ use super::units::Units;
 use super::{Regularity, Singular};
 use crate::math::blocks::Blocks;
 
-/// A matrix whose pattern never changes, and its factorization.
+/// A matrix, and its factorization. Its pattern changes only where blocks that are zero most of the time become others:
+/// the order of elimination is a function of the matrix alone.
 #[derive(Debug)]
 pub struct DirectSolver {
+    unknowns: Unknowns,
     units: Units,
     fronts: Option<Multifrontal>,
+    /// The occasional blocks that the fronts know.
+    awake: Vec<usize>,
     /// Made when it is first needed.
     general: Option<Box<SparseLu>>,
     /// Whether the fronts have factorized the last matrix.
@@ -28,7 +32,8 @@ impl DirectSolver {
     /// For the pattern of `blocks`; `units` is the natural size of each unknown.
     pub fn new(unknowns: Unknowns, units: Units, blocks: &Blocks) -> Self {
         let fronts = Multifrontal::new(unknowns, blocks);
-        Self { units, fronts, general: None, is_frontal: false, is_general: false, fallbacks: 0 }
+        let awake = blocks.awake().collect();
+        Self { unknowns, units, fronts, awake, general: None, is_frontal: false, is_general: false, fallbacks: 0 }
     }
 
     /// Takes the values of `blocks` (of the same layout as at the start) and factorizes. They must not change as long
@@ -38,6 +43,10 @@ impl DirectSolver {
     /// The matrix is singular, or a value not finite.
     pub fn factorize(&mut self, blocks: &Blocks) -> Result<(), Singular> {
         self.is_general = false;
+        if !blocks.awake().eq(self.awake.iter().copied()) {
+            self.awake = blocks.awake().collect();
+            self.fronts = Multifrontal::new(self.unknowns, blocks);
+        }
         let Self { units, fronts, .. } = self;
         self.is_frontal = fronts.as_mut().is_some_and(|fronts| fronts.factorize(units, blocks).is_ok());
         if self.is_frontal { Ok(()) } else { self.fall_back(blocks) }

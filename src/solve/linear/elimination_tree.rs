@@ -122,7 +122,7 @@ impl Groups {
     /// For each group, in order, the other groups that share a block with it.
     fn links(&self, blocks: &Blocks) -> Vec<Vec<usize>> {
         let mut links: Vec<Vec<usize>> = vec![Vec::new(); self.count()];
-        for block in blocks.layout() {
+        for (_, block) in blocks.in_use() {
             for row in self.within(block.row..block.row + block.rows) {
                 for column in self.within(block.column..block.column + block.columns) {
                     if row != column {
@@ -180,8 +180,8 @@ fn sort_each(lists: &mut [Vec<usize>]) {
 }
 
 impl Fronts {
-    /// For the pattern of `blocks`. None where there is no such order, since a multiplier acts on nothing, or where the
-    /// fronts need too much memory.
+    /// For the pattern of the `blocks` in use. None where there is no such order, since a multiplier acts on nothing, or
+    /// where the fronts need too much memory.
     pub fn new(kinds: Unknowns, blocks: &Blocks) -> Option<Self> {
         let groups = Groups::new(kinds.count(), blocks);
         let multipliers = groups.starts.partition_point(|start| *start < kinds.coordinates())..groups.count();
@@ -271,8 +271,7 @@ impl Fronts {
     fn cut(&mut self, order: &Order<'_>, blocks: &Blocks) {
         let groups = order.groups;
         let mut pieces: Vec<(usize, Piece)> = Vec::new();
-        let mut source = 0;
-        for block in blocks.layout() {
+        for (source, block) in blocks.in_use() {
             for row in groups.within(block.row..block.row + block.rows) {
                 for column in groups.within(block.column..block.column + block.columns) {
                     let front = order.front_of[row].min(order.front_of[column]);
@@ -289,7 +288,6 @@ impl Fronts {
                     pieces.push((front, piece));
                 }
             }
-            source += block.rows * block.columns;
         }
         pieces.sort_by_key(|(front, _)| *front);
         let mut first = 0;

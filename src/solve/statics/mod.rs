@@ -184,7 +184,7 @@ impl Statics {
         match ramped {
             // Beams that touch nothing yet fall until they do.
             Err(reason)
-                if (!system.contacts.is_empty() || system.pushes_on_one_side())
+                if (system.has_contacts() || system.pushes_on_one_side())
                     && !matches!(reason, Error::NotFinite { .. }) =>
             {
                 let tried = next.statistics;

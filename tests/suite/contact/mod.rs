@@ -1,5 +1,6 @@
 //! Beams that touch surfaces.
 
+mod beams;
 mod derivatives;
 mod energy;
 mod friction;

@@ -244,6 +244,41 @@ fn what_holds_twice_is_never_regular() {
     assert!(asked > 50 && solved > 20, "{asked} asked, {solved} factorized");
 }
 
+/// Blocks that are zero most of the time: a chain whose ends a spring ties together once. It is solved with and without
+/// the spring, and the second time to the bits of the first, whatever was solved between.
+#[test]
+fn occasional_blocks() {
+    let count = 40;
+    let mut blocks = Blocks::default();
+    for place in 0..count - 1 {
+        let number = blocks.push(Block { row: place, column: place, rows: 2, columns: 2 });
+        blocks.block_mut(number).copy_from_slice(&[2.0, -1.0, -1.0, 1.5]);
+    }
+    for row in 0..count {
+        for column in (0..count).filter(|column| *column != row) {
+            blocks.push_occasional(Block { row, column, rows: 1, columns: 1 });
+        }
+    }
+    let unknowns = Unknowns { nodes: count, bodies: 0, multipliers: 0, inertia: true };
+    let mut solver = DirectSolver::new(unknowns, Units::new(1.0, vec![false; count]), &blocks);
+    let first = count - 1;
+    // Row 0, the last column, and the last row, column 0.
+    let ties = [first + count - 2, first + (count - 1) * (count - 1)];
+    let mut found = Vec::new();
+    for tie in [0.0, -0.5, 0.0, -0.5] {
+        ties.iter().for_each(|number| blocks.block_mut(*number)[0] = tie);
+        assert_eq!(blocks.awake().collect::<Vec<_>>(), if tie == 0.0 { &[][..] } else { &ties[..] });
+        assert!(solver.factorize(&blocks).is_ok());
+        let expected: Vec<f64> = (0..count).map(|k| (k as f64 * 0.7).sin()).collect();
+        let mut vector = vec![0.0; count];
+        blocks.multiply_add(&expected, &mut vector);
+        assert!(solver.solve(&blocks, &mut vector).is_ok());
+        assert!(vector.iter().zip(&expected).all(|(own, expected)| (own - expected).abs() < 1e-12), "{vector:?}");
+        found.push(vector.iter().map(|own| own.to_bits()).collect::<Vec<_>>());
+    }
+    assert_eq!((&found[0], &found[1], solver.fallbacks()), (&found[2], &found[3], 0));
+}
+
 /// A chain of masses in closed form: springs of 1 between neighbors and to the ground, the first and last tied together
 /// by a condition of its own.
 #[test]

@@ -1,4 +1,4 @@
-//! `[contact.NAME]`: beams that touch surfaces.
+//! `[contact.NAME]`: beams that touch surfaces, each other and themselves.
 
 use super::Parts;
 use crate::model::file::number::Number;
@@ -10,7 +10,11 @@ use crate::model::text::names::Kind;
 /// The keys of the section.
 pub(super) const KEYS: &[Key] = &[
     Key::name("of", Role::Names("beam"), "the beam that touches, or a list of beams"),
-    Key::name("with", Role::Names("surface"), "the surface that it touches, or a list of surfaces"),
+    Key::name(
+        "with",
+        Role::Names("surface or beam"),
+        "the surface or the other beam that it touches, `itself` for its own coils, or a list of them",
+    ),
     Key::number(&[&RADIUS]),
     Key::number(&[&STIFFNESS]),
     Key::number(&[&DAMPING]),
@@ -39,6 +43,9 @@ const FRICTION_STIFFNESS: Rule = Rule::new(
 .above(0.0)
 .tunable();
 
+/// The word for the beam itself among what it touches.
+pub const ITSELF: &str = "itself";
+
 /// A section `[contact.NAME]`.
 #[derive(Clone, Debug)]
 pub struct ContactSpec {
@@ -50,6 +57,10 @@ pub struct ContactSpec {
     pub beams: Vec<usize>,
     /// The surfaces, by their numbers.
     pub surfaces: Vec<usize>,
+    /// The beams that they touch, by their numbers.
+    pub touched: Vec<usize>,
+    /// They touch their own coils.
+    pub itself: bool,
     /// Distance of the surface of the beams from their axes, m; none: by their sections.
     pub radius: Option<Number>,
     /// Force per length and penetration, N/m²; none: by the beams.
@@ -78,18 +89,23 @@ pub struct Bed {
 impl ContactSpec {
     pub(super) fn read(name: &str, mut reader: Reader<'_, '_>, _: &Parts) -> Option<Self> {
         let beams = reader.references("of", Kind::Beam);
-        let surfaces = reader.references("with", Kind::Surface);
+        let with = reader.references_among("with", &[Kind::Surface, Kind::Beam], Some(ITSELF));
         let (radius, stiffness) = (reader.optional(&RADIUS), reader.optional(&STIFFNESS));
         let damping = reader.number_or(&DAMPING, 0.0);
         let (friction, friction_stiffness) = (reader.optional(&FRICTION), reader.optional(&FRICTION_STIFFNESS));
         let place = reader.place;
         reader.finish();
-        let (beams, surfaces) = (beams?, surfaces?);
+        let (beams, with) = (beams?, with?);
+        let of_kind = |kind: Kind| {
+            with.iter().flatten().filter(move |(own, _)| *own == kind).map(|(_, index)| *index).collect::<Vec<_>>()
+        };
         Some(Self {
             name: name.to_owned(),
             place,
             beams,
-            surfaces,
+            surfaces: of_kind(Kind::Surface),
+            touched: of_kind(Kind::Beam),
+            itself: with.contains(&None),
             radius,
             stiffness,
             damping,
@@ -97,6 +113,27 @@ impl ContactSpec {
             friction_stiffness,
             bed: None,
         })
+    }
+
+    /// Whether beams touch each other or themselves.
+    pub fn is_between_beams(&self) -> bool {
+        self.itself || !self.touched.is_empty()
+    }
+
+    /// The pairs of beams that touch each other, each pair once; twice the same beam: its own coils.
+    pub fn beam_pairs(&self) -> Vec<(usize, usize)> {
+        let mut pairs: Vec<(usize, usize)> = Vec::new();
+        for beam in &self.beams {
+            if self.itself {
+                pairs.push((*beam, *beam));
+            }
+            for other in self.touched.iter().filter(|other| *other != beam) {
+                if !pairs.contains(&(*other, *beam)) {
+                    pairs.push((*beam, *other));
+                }
+            }
+        }
+        pairs
     }
 
     /// The contacts of the system that it stands for: each surface of each beam.

@@ -142,16 +142,16 @@ impl OutputSpec {
             (Quantity::Effort, Target::Connection(Kind::Stop, _)) => "torque or force of the stop on side b",
             (Quantity::Effort, Target::Connection(Kind::Lock, _)) => "torque or force of the lock on side b",
             (Quantity::ReactionForce, Target::Connection(Kind::Contact, _)) => {
-                "force of the surfaces on the beams, in global axes"
+                "force on the beams by what they touch, in global axes"
             }
             (Quantity::ReactionMoment, Target::Connection(Kind::Contact, _)) => {
-                "moment of the surfaces on the beams, about the place of the first surface, in global axes"
+                "moment on the beams by what they touch, about the origin of the surface, in global axes"
             }
             (Quantity::AppliedForce, Target::Connection(Kind::Contact, _)) => {
-                "force of the beams on the surfaces, in global axes"
+                "force of the beams on what they touch, in global axes"
             }
             (Quantity::AppliedMoment, Target::Connection(Kind::Contact, _)) => {
-                "moment of the beams on the surfaces, about the place of the first surface, in global axes"
+                "moment of the beams on what they touch, about the origin of the surface, in global axes"
             }
             (Quantity::Energy, Target::Connection(Kind::Contact, _)) => "elastic energy of the penetration",
             (Quantity::ReactionForce, Target::Connection(Kind::Foundation, _)) => {

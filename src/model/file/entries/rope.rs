@@ -166,8 +166,7 @@ fn end(reader: &mut Reader<'_, '_>, point: &'static str, drum: &'static str) -> 
         return reader.reference(drum, Kind::Surface).map(End::Drum);
     }
     if !reader.has(point) {
-        let help =
-            format!("{}; or `{drum}`, the drum that winds it up", SIDES.forms);
+        let help = format!("{}; or `{drum}`, the drum that winds it up", SIDES.forms);
         reader.missing(point, &help);
         return None;
     }

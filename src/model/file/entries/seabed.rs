@@ -82,6 +82,8 @@ pub(in crate::model) fn read(mut reader: Reader<'_, '_>, water: Option<&WaterSpe
         place,
         beams: beams.map(|(number, _)| number).collect(),
         surfaces: vec![parts.surfaces.len()],
+        touched: Vec::new(),
+        itself: false,
         radius: None,
         stiffness: Some(stiffness),
         damping,

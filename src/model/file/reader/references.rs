@@ -28,8 +28,20 @@ impl Reader<'_, '_> {
     /// The name of another thing of the file, or a list of names: their indices in their kind; none: a mistake, which
     /// is reported.
     pub fn references(&mut self, key: &'static str, kind: Kind) -> Option<Vec<usize>> {
+        let found = self.references_among(key, &[kind], None)?;
+        Some(found.into_iter().flatten().map(|(_, index)| index).collect())
+    }
+
+    /// The same of several kinds, each with its kind; none in the list: the `word` that stands for no name.
+    pub fn references_among(
+        &mut self,
+        key: &'static str,
+        kinds: &[Kind],
+        word: Option<&str>,
+    ) -> Option<Vec<Option<(Kind, usize)>>> {
+        let words = either(&kinds.iter().map(|kind| kind.word()).collect::<Vec<_>>());
         let Some(entry) = self.take(key) else {
-            self.missing(key, &format!("the name of a {}, or a list of names", kind.word()));
+            self.missing(key, &format!("the name of a {words}, or a list of names"));
             return None;
         };
         let items = match entry.item.node {
@@ -39,15 +51,15 @@ impl Reader<'_, '_> {
         let mut found = Vec::new();
         for item in items {
             let Node::Text(name) = &item.node else {
-                self.context.wrong_type(key, &item, &format!("the name of a {} in quotes", kind.word()));
+                self.context.wrong_type(key, &item, &format!("the name of a {words} in quotes"));
                 return None;
             };
-            let (_, index) = self.find(name, item.place, &[kind])?;
-            if found.contains(&index) {
+            let named = if word == Some(name) { None } else { Some(self.find(name, item.place, kinds)?) };
+            if found.contains(&named) {
                 self.context.report.error(item.place, &format!("`{name}` is listed twice"), "the second one", "");
                 return None;
             }
-            found.push(index);
+            found.push(named);
         }
         Some(found)
     }

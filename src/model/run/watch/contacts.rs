@@ -2,7 +2,8 @@
 
 use crate::error::decimal;
 use crate::mechanics::contact::Ground;
-use crate::mechanics::marker::configuration::Passage;
+use crate::mechanics::contact::mutual::BeamContact;
+use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
@@ -23,7 +24,7 @@ pub struct ContactWatch {
 impl ContactWatch {
     /// Looks at a new state, and warns of a contact that is penetrated further than its answer should bear.
     pub fn look(&mut self, system: &System, state: &State, snapshot: &mut FrameCache) -> Option<String> {
-        if self.warned || system.contacts.is_empty() {
+        if self.warned || !system.has_contacts() {
             return None;
         }
         let c = snapshot.of(system, state);
@@ -43,16 +44,30 @@ impl ContactWatch {
             }
             (deepest > most).then_some((contact, deepest, of))
         });
-        let (contact, depth, of) = found?;
+        let on_surface = found.map(|(contact, depth, of)| {
+            let on = format!("on surface {}", contact.surface.name);
+            (&contact.name, contact.law.stiffness, depth, on, of, "the beam outside of the surface")
+        });
+        let mutual = || system.beam_contacts.iter().find_map(|contact| soft_beams(contact, &c));
+        let (name, stiffness, depth, on, of, apart) = on_surface.or_else(mutual)?;
         self.warned = true;
         Some(format!(
-            "contact {} is penetrated by {depth:.2e} m on surface {} at t = {} s, more than {of}: its stiffness of \
-             {:.2e} N/m2 decides the answer; raise {}.stiffness, or draw the beam outside of the surface",
-            contact.name,
-            contact.surface.name,
+            "contact {name} is penetrated by {depth:.2e} m {on} at t = {} s, more than {of}: its stiffness of \
+             {stiffness:.2e} N/m2 decides the answer; raise {name}.stiffness, or draw {apart}",
             decimal(state.instant()),
-            contact.law.stiffness,
-            contact.name
         ))
     }
+}
+
+/// A contact that is penetrated too far: name, stiffness, depth, where, the bound, and what to draw instead.
+type Soft<'a> = (&'a String, f64, f64, String, &'static str, &'static str);
+
+/// Beams that are too deep inside each other.
+fn soft_beams<'a>(contact: &'a BeamContact, c: &Configuration) -> Option<Soft<'a>> {
+    let mut deepest = 0.0_f64;
+    contact.each_meeting(c, &Passage::Rest, &mut |meeting| deepest = deepest.max(meeting.penetration));
+    let thinner = contact.strands[0].radius.min(contact.strands[1].radius);
+    let on = String::from("between beams");
+    let soft = (&contact.name, contact.law.stiffness, deepest, on, "5 % of the radius of a beam", "the beams apart");
+    (deepest > OF_BEAM * thinner).then_some(soft)
 }

@@ -22,6 +22,7 @@ pub fn loose_parts(document: &Document) -> Vec<Note> {
         .contacts
         .iter()
         .flat_map(|contact| contact.pairs().map(|(beam, surface)| (beam, part(document.surfaces[surface].on))));
+    let beams = document.contacts.iter().flat_map(|contact| contact.beam_pairs());
     let foundations = document.foundations.iter().map(|foundation| (foundation.beam, world));
     let ropes = document.ropes.iter().flat_map(|rope| {
         let ends = rope.points().map(|end| part(end.spot));
@@ -29,7 +30,7 @@ pub fn loose_parts(document: &Document) -> Vec<Note> {
         let parts: Vec<_> = ends.chain(wheels).collect();
         parts.windows(2).map(|pair| (pair[0], pair[1])).collect::<Vec<_>>()
     });
-    let groups = Groups::new(world + 1, pairs.chain(contacts).chain(foundations).chain(ropes));
+    let groups = Groups::new(world + 1, pairs.chain(contacts).chain(beams).chain(foundations).chain(ropes));
 
     let beams = document.beams.iter().map(|beam| (format!("beam {}", beam.name), beam.place));
     let bodies = document.bodies.iter().map(|body| (format!("body {}", body.name), body.place));
