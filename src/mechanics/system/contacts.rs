@@ -274,8 +274,8 @@ impl System {
 
 impl Touch {
     /// Work of the force that the beam exerts on the carrier while its position and axes change, J.
-    fn work_on_carrier(&self, place: &Vec3, axes: &Mat3) -> f64 {
-        self.force.dot(&axes.tr_mul(&self.arms.arm)) - self.in_space().dot(place)
+    fn work_on_carrier(&self, moved: &Vec3, axes: &Mat3) -> f64 {
+        self.force.dot(&axes.tr_mul(&self.arms.arm)) - self.in_space().dot(moved)
     }
 }
 

@@ -155,13 +155,13 @@ fn thrown_beams() {
     }
 }
 
-/// A thin bar that flies across another one by many times its thickness a step bounces off it, and does not run through.
+/// A thin bar that flies by many times its thickness a step, from 20 mm above another one to 30 mm below it, bounces off.
 #[test]
 fn nothing_runs_through() {
     let text = "format = 1\n[model]\nname = \"Fast\"\ngravity = [0, 0, 0]\n\
          [section.s]\nshape = \"rigidities\"\nEA = 2e4\nEI_y = 2\nEI_z = 2\nGJ = 1\nline_density = 0.5\n\
          outer_diameter = 0.01\n\
-         [beam.bar]\nsection = \"s\"\nfrom = [-0.5, 0.03, 0.1]\nto = [0.5, 0.02, 0.1]\nelements = 3\n\
+         [beam.bar]\nsection = \"s\"\nfrom = [-0.5, 0.03, 0.12]\nto = [0.5, 0.02, 0.12]\nelements = 3\n\
          velocity = [0, 0, -5]\n\
          [beam.other]\nsection = \"s\"\nfrom = [0.07, -0.4, 0]\nto = [0.05, 0.5, 0]\nelements = 3\n\
          [contact.hit]\nof = \"bar\"\nwith = \"other\"\nstiffness = 1e7\n\
