@@ -70,7 +70,7 @@ export class Page {
     this.pointer();
     listenToKeys(this, this.listening.signal);
     player.onupdate(() => this.update());
-    if (data.times.length < 2 && data.modes.length > 0) player.show(0);
+    player.open();
     this.legend.hidden = !player.quantity;
     this.describe();
     player.stage.covered = () => (this.legend.hidden ? undefined : this.legend.getBoundingClientRect());
