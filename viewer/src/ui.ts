@@ -9,7 +9,7 @@ import { Labels } from "./labels";
 import { PickPanel } from "./panel";
 import { Player } from "./player";
 import { niceLength, type View } from "./stage";
-import { listenToKeys } from "./keys";
+import { list, listenToKeys } from "./keys";
 import { Video } from "./video";
 
 /** Below this width charts go under the picture, and controls lie over it. */
@@ -99,23 +99,29 @@ export class Page {
       button("PNG", "Save the picture as PNG", () => save(this.player.stage.png(this.background), this.data.scene.name, "png")),
       this.video.format && this.video.button,
       button("◐", "Light or dark", () => this.switchTheme()),
-      button("?", "Keys", () => this.help.showModal()),
+      button("?", "Keys", () => this.help(), "?"),
     );
-    return h("header", {}, title, tools, ...notice, this.help);
+    return h("header", {}, title, tools, ...notice, this.keys);
   }
 
-  private readonly help = h(
-    "dialog", { class: "help", "aria-label": "Keys" },
-    h("h2", {}, "Keys"),
-    h("dl", {}, ...[
-      ["Space", "play, pause"], ["← →", "one instant back, on"], ["Home End", "to the start, to the end"], ["− +", "slower, faster"], ["L", "loop"],
-      ["1 2 3 4", "views: oblique, front, side, top"], ["F", "fit into the picture"], ["P", "perspective or parallel"], ["C", "next quantity to color by"],
-      ["G", "as drawn, faintly"], ["N", "names"], ["T", "trails"], ["B", "the second run, in a comparison"],
-      ...(this.video.format ? [["V", "record a video of the motion; again: end and save it"]] : []), ["Esc", "forget the point"],
-    ].flatMap(([key, words]) => [h("dt", {}, key), h("dd", {}, words)])),
-    h("p", {}, "Drag turns, with the right button or two fingers moves, the wheel zooms. A click on a beam reads its section, a click into a chart goes to that instant. With the solver in the page, Interact lets you drag the mechanism while it is simulated; Esc ends it."),
-    h("form", { method: "dialog" }, h("button", {}, "Close")),
-  );
+  private readonly keys = h("dialog", { class: "help", "aria-label": "Keys" });
+
+  /** Opens the list of all keys, or closes it. */
+  help(): void {
+    if (this.keys.open) return this.keys.close();
+    this.keys.replaceChildren(
+      h("h2", {}, "Keys"),
+      list(this),
+      h("p", {}, "Drag turns, with the right button or two fingers moves, the wheel zooms. A click on a beam reads its section, a click into a chart goes to that instant. With the solver in the page, Interact lets you drag the mechanism while it is simulated; Esc ends it."),
+      h("form", { method: "dialog" }, h("button", {}, "Close")),
+    );
+    this.keys.showModal();
+  }
+
+  /** Whether the browser can record a video. */
+  get records(): boolean {
+    return this.video.format !== undefined;
+  }
 
   /** Tells the two runs apart, by the color in the picture and the lines in the charts. */
   private runs(names: [string, string]): HTMLElement {

@@ -86,6 +86,34 @@ test("charts of a mechanism at rest are lines at zero", async () => {
   await close();
 });
 
+test("every key of the list does something, and ? shows and hides the list", async () => {
+  const { page, close } = await open("cantilever.html");
+  await page.keyboard.press("?");
+  assert.equal(await page.isVisible("dialog.help"), true);
+  const shown = await page.locator("dialog.help kbd").allTextContents();
+  for (const key of ["Space", "L", "F", "G", "?"]) assert.ok(shown.includes(key), key);
+  // There is one run only.
+  assert.ok(!shown.includes("B"));
+  await page.keyboard.press("?");
+  assert.equal(await page.isVisible("dialog.help"), false);
+  await page.keyboard.press("End");
+  const state = () => page.evaluate(() => {
+    const { player } = window.ancf14;
+    const { run, stage, quantity } = player;
+    return JSON.stringify([run.time, run.playing, run.speed, run.looping, stage.pose, stage.isParallel, quantity?.word, [...document.querySelectorAll("label.tick input")].map(({ checked }) => checked)]);
+  });
+  const names = { "←": "ArrowLeft", "→": "ArrowRight", "−": "-" };
+  // Space plays, which changes the time for all that follow; the view that is shown, saving, and forgetting nothing change nothing here.
+  const quiet = ["Space", "F", "M", "V", "Esc", "?"];
+  await page.keyboard.press("4");
+  for (const key of shown.filter((key) => !quiet.includes(key))) {
+    const before = await state();
+    await page.keyboard.press(names[key] ?? key);
+    assert.notEqual(await state(), before, `${key} does nothing`);
+  }
+  await close();
+});
+
 test("a click into a chart goes to that instant, and the legend reads values", async () => {
   const { page, close } = await open("cantilever.html");
   await page.waitForSelector("[data-chart] .u-over");
