@@ -36,6 +36,7 @@ export const BINDINGS: Binding[] = [
   { shown: "T", words: "trails", acts: { t: flip("Trails") }, when: has("Trails") },
   { shown: "B", words: "the second run", acts: { b: flip("Second run") }, when: has("Second run") },
   { shown: "V", words: "record a video of the motion; again: end and save it", acts: { v: click("video") }, when: (page) => page.records },
+  { shown: "M", words: "save the model of this instant as glTF", acts: { m: click("gltf") } },
   { shown: "Esc", words: "forget the point", acts: { Escape: ({ player }) => player.choose(undefined) } },
   { shown: "?", words: "these keys", acts: { "?": (page) => page.help() } },
 ];

@@ -65,14 +65,18 @@ export class Player {
     );
     this.marker.renderOrder = 2;
     this.marker.visible = false;
-    this.stage.scene.add(this.beams.group, this.beams.ghosts, this.trails.group, this.marker);
-    this.stage.scene.add(this.ropes.group, this.water.group);
-    this.stage.scene.add(this.signs.bodies, this.signs.joints, this.signs.springs, this.signs.loads, this.signs.reactions, this.signs.points);
-    if (this.comparison) this.stage.scene.add(this.comparison.group);
+    this.stage.scene.add(this.marker, ...this.shown);
     for (const timeline of [this.run, this.swing]) timeline.onchange(() => this.refresh());
     this.stage.controls.addEventListener("change", () => this.redraw());
     new ResizeObserver(() => this.redraw()).observe(parent);
     requestAnimationFrame((now) => this.tick(now));
+  }
+
+  /** All that belongs to the mechanism, of both runs. */
+  get shown(): THREE.Object3D[] {
+    const { beams, trails, ropes, water, signs, comparison } = this;
+    const own = [beams.group, beams.ghosts, trails.group, ropes.group, water.group, signs.bodies, signs.joints, signs.springs, signs.loads, signs.reactions, signs.points];
+    return comparison ? [...own, comparison.group] : own;
   }
 
   /** The state of a run that goes on while a reader drags the mechanism; it is shown instead of the recorded one. */

@@ -21,6 +21,12 @@ function matt(color: number, opacity = 1): THREE.MeshStandardMaterial {
   return new THREE.MeshStandardMaterial({ color, roughness: 0.6, transparent: opacity < 1, opacity });
 }
 
+/** Gives a thing its name in files. */
+function titled<Thing extends THREE.Object3D>(thing: Thing, name: string): Thing {
+  thing.name = name;
+  return thing;
+}
+
 /** All signs; they know by themselves where they are. */
 export class Signs {
   readonly bodies = new THREE.Group();
@@ -38,8 +44,8 @@ export class Signs {
   /** `size` is the extent of the machine, m; `up` points against gravity. */
   constructor(private readonly data: Data, private readonly size: number, up: THREE.Vector3) {
     const { scene } = data;
-    for (const body of scene.bodies) this.bodies.add(solid(body.solid, size));
-    for (const joint of scene.joints) this.joints.add(jointSign(joint.kind, joint.grounded, 0.016 * size, up));
+    for (const { name, solid: shape } of scene.bodies) this.bodies.add(titled(solid(shape, size), name));
+    for (const { name, kind, grounded } of scene.joints) this.joints.add(titled(jointSign(kind, grounded, 0.016 * size, up), name));
     this.coils = new Springs(data, size);
     this.frames = scene.frames.map(() => new THREE.AxesHelper(0.09 * size));
     for (const frame of this.frames) this.joints.add(frame);

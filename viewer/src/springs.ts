@@ -49,6 +49,7 @@ export class Springs {
     wires.setAttribute("position", this.wires);
     const lines = new THREE.LineSegments(wires, new THREE.LineBasicMaterial({ color: COLOR, transparent: true, opacity: 0.7 }));
     for (const part of [this.coils, lines]) part.frustumCulled = false;
+    this.group.name = "springs";
     this.group.add(this.coils, lines);
   }
 

@@ -5,6 +5,7 @@ import { Charts } from "./charts";
 import { gradient, QUANTITIES, quantityText } from "./color";
 import type { Data } from "./data";
 import { button, choice, h, save, slider, tick } from "./dom";
+import { glb } from "./glb";
 import { Labels } from "./labels";
 import { PickPanel } from "./panel";
 import { Player } from "./player";
@@ -94,9 +95,12 @@ export class Page {
     const others = second ? second.data.notes.map((note) => `${second.names[1]}: ${note}`) : [];
     const notice = [...notes, ...others].map((note) => h("p", { class: "note" }, note));
     const title = h("div", { class: "title" }, h("h1", {}, scene.name), h("p", { class: "description" }, scene.description));
+    const model = button("glTF", "Save the mechanism of this instant as glTF, for other programs", () => this.saveModel(), "M");
+    model.dataset.control = "gltf";
     const tools = h(
       "div", { class: "tools" },
       button("PNG", "Save the picture as PNG", () => save(this.player.stage.png(this.background), this.data.scene.name, "png")),
+      model,
       this.video.format && this.video.button,
       button("◐", "Light or dark", () => this.switchTheme()),
       button("?", "Keys", () => this.help(), "?"),
@@ -121,6 +125,16 @@ export class Page {
   /** Whether the browser can record a video. */
   get records(): boolean {
     return this.video.format !== undefined;
+  }
+
+  /** Saves what is seen at this instant as a file of glTF. */
+  private saveModel(): void {
+    const { player, data } = this;
+    const bytes = glb(player.shown, player.stage.up, `${data.scene.name}, ${this.clock.textContent}`, data.program);
+    const url = URL.createObjectURL(new Blob([bytes], { type: "model/gltf-binary" }));
+    save(url, data.scene.name, "glb");
+    // A browser may begin to read it only when the reader has said where to put it.
+    setTimeout(() => URL.revokeObjectURL(url), 60000);
   }
 
   /** Tells the two runs apart, by the color in the picture and the lines in the charts. */

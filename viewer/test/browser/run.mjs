@@ -91,7 +91,7 @@ test("every key of the list does something, and ? shows and hides the list", asy
   await page.keyboard.press("?");
   assert.equal(await page.isVisible("dialog.help"), true);
   const shown = await page.locator("dialog.help kbd").allTextContents();
-  for (const key of ["Space", "L", "F", "G", "?"]) assert.ok(shown.includes(key), key);
+  for (const key of ["Space", "L", "F", "G", "M", "?"]) assert.ok(shown.includes(key), key);
   // There is one run only.
   assert.ok(!shown.includes("B"));
   await page.keyboard.press("?");
@@ -111,6 +111,19 @@ test("every key of the list does something, and ? shows and hides the list", asy
     await page.keyboard.press(names[key] ?? key);
     assert.notEqual(await state(), before, `${key} does nothing`);
   }
+  await close();
+});
+
+test("the mechanism of an instant is saved as glTF", async () => {
+  const { page, close } = await open("cantilever.html");
+  const [file] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("m")]);
+  assert.equal(file.suggestedFilename(), "Cantilever.glb");
+  const bytes = readFileSync(await file.path());
+  assert.deepEqual([bytes.toString("latin1", 0, 4), bytes.readUInt32LE(4), bytes.readUInt32LE(8)], ["glTF", 2, bytes.length]);
+  const { meshes, accessors } = JSON.parse(bytes.toString("utf8", 20, 20 + bytes.readUInt32LE(12)));
+  const arm = meshes.find(({ name }) => name === "arm").primitives[0];
+  const { min, max } = accessors[arm.attributes.POSITION];
+  assert.ok(arm.attributes.COLOR_0 !== undefined && max[0] > 0.98 && min[2] < -0.02, JSON.stringify({ min, max }));
   await close();
 });
 
