@@ -8,6 +8,8 @@ import { h } from "./dom";
 import type { Timeline } from "./timeline";
 
 const STROKES = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a7a00", "#56a0d3", "#7a4fc0", "#444c58"];
+/** The same colors, bright enough on a dark background. */
+const BRIGHT = ["#4aa8e8", "#f0803c", "#2fc796", "#e49ac4", "#c9ba4a", "#8ccdf5", "#ab86ea", "#b4bdca"];
 /** Lines of a second run. */
 const DASH = [6, 4];
 /** A chart of the stations of a beam has so many curves at most. */
@@ -72,6 +74,7 @@ export class Charts {
     const style = getComputedStyle(document.documentElement);
     const ink = style.getPropertyValue("--ink-soft").trim();
     const line = style.getPropertyValue("--line").trim();
+    const strokes = style.colorScheme === "dark" ? BRIGHT : STROKES;
     const axis = { stroke: ink, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1 }, font: "11px system-ui, sans-serif" };
     const title = `${group.name}${group.unit ? ` (${group.unit})` : ""}`;
     // `along.position.2` has the columns `along.position[1,2]`, ...: what differs is enough.
@@ -86,7 +89,7 @@ export class Charts {
     const same = (column: number) => second?.data.charts.columns.find(({ name, unit }) => name === columns[column].name && unit === columns[column].unit);
     const others = shown.flatMap((column, k) => {
       const own = same(column);
-      return own ? [{ ...own, label: `${label(own.name)} 2nd`, stroke: STROKES[k % STROKES.length] }] : [];
+      return own ? [{ ...own, label: `${label(own.name)} 2nd`, stroke: strokes[k % strokes.length] }] : [];
     });
     const curve = (label: string, stroke: string, count: number) =>
       ({ label, stroke, width: 1.6, points: { show: count < 3 }, value: (_: uPlot, value: number | null | undefined) => text(value ?? null) });
@@ -106,7 +109,7 @@ export class Charts {
         ],
         series: [
           { label: "t", value: (_, value) => (value === null ? "–" : plainText(value)) },
-          ...shown.map((column, k) => curve(label(columns[column].name), STROKES[k % STROKES.length], times.length)),
+          ...shown.map((column, k) => curve(label(columns[column].name), strokes[k % strokes.length], times.length)),
           ...others.map(({ label, stroke, values }) => ({ ...curve(label, stroke, values.length), dash: DASH })),
         ],
         // uPlot empties the legend as the pointer leaves; `setCursor` comes after that.
