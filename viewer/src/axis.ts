@@ -1,6 +1,6 @@
 // The vertical axis of a chart: what it spans, and its numbers. Round-off is not shown as a curve.
 
-import uPlot from "uplot";
+import type uPlot from "uplot";
 import { plainText } from "./color";
 
 /** What changes by less than this share of its size is constant but for round-off; what is smaller than this share of the largest value beside it is zero. */
@@ -15,14 +15,14 @@ export function size(curves: ArrayLike<number>[]): number {
   return most;
 }
 
-/** What the axis of curves from `low` to `high` spans; of zero from -1 to 1. */
+/** What the axis of curves from `low` to `high` spans: a margin more, not beyond 0, and from 0 on where they are constant; of zero from -1 to 1. uPlot's own rule rounds to ten digits. */
 export function span(low: number | null, high: number | null): uPlot.Range.MinMax {
   if (low === null || high === null) return [low, high];
   const largest = Math.max(Math.abs(low), Math.abs(high));
   if (largest === 0) return [-1, 1];
-  if (high - low > ROUND_OFF * largest) return uPlot.rangeNum(low, high, MARGIN, true);
-  const middle = (low + high) / 2;
-  return uPlot.rangeNum(middle, middle, MARGIN, true);
+  if (high - low <= ROUND_OFF * largest) return low > 0 ? [0, 2 * low] : [2 * low, 0];
+  const margin = MARGIN * (high - low);
+  return [low >= 0 ? Math.max(0, low - margin) : low - margin, high <= 0 ? Math.min(0, high + margin) : high + margin];
 }
 
 /** A value beside others of which the largest is `largest`. */

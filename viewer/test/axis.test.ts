@@ -8,12 +8,16 @@ test("zero is a line in the middle of an axis", () => {
   assert.deepEqual(span(0, 0), [-1, 1]);
 });
 
-test("a constant but for round-off is a line, and a small change is a curve", () => {
-  const [low, high] = span(0.7, 0.7 + 1e-11) as [number, number];
-  assert.ok(high - low > 0.1, `${low} to ${high}`);
-  const [from, to] = span(0.7, 0.7 + 1e-7) as [number, number];
-  // Ends are rounded to 1e-15.
-  assert.ok(from <= 0.7 + 1e-12 && to >= 0.7 + 1e-7 && to - from < 3e-7, `${from} to ${to}`);
+test("a constant but for round-off is a line in the middle of an axis from 0", () => {
+  assert.deepEqual(span(0.7, 0.7 + 1e-10), [0, 1.4]);
+  assert.deepEqual(span(-3 - 1e-12, -3), [2 * (-3 - 1e-12), 0]);
+});
+
+test("a small change is a curve, and axes end at 0 where curves do not cross it", () => {
+  const [from, to] = span(0.7, 0.7 + 1e-8) as [number, number];
+  // Differences of 1e-8 have seven digits.
+  assert.ok(Math.abs((0.7 - from) / 1e-9 - 1) < 1e-6 && Math.abs((to - 0.7) / 1.1e-8 - 1) < 1e-6, `${from} to ${to}`);
+  assert.deepEqual([span(0, 10), span(-10, 0), span(-10, 10)], [[0, 11], [-11, 0], [-12, 12]]);
 });
 
 test("an axis without values spans nothing", () => {
