@@ -89,10 +89,14 @@ impl Charts {
             }
         }
         let values: Vec<_> = self.columns.iter().map(|own| (&*own.name, &*own.unit, &*own.values)).collect();
+        let data = |values: &[f64], is_zero: bool| match is_zero {
+            true => doubles(&vec![0.0; values.len()], effort),
+            false => doubles(values, effort),
+        };
         let column = |(column, is_zero): (&Column, bool)| ChartedColumn {
             name: column.name.clone(),
             unit: column.unit.clone(),
-            data: if is_zero { doubles(&vec![0.0; column.values.len()], effort) } else { doubles(&column.values, effort) },
+            data: data(&column.values, is_zero),
         };
         let columns = self.columns.iter().zip(recording.are_zero(&values)).map(column).collect();
         Charted { count: self.times.len(), times: doubles(&self.times, effort), columns, groups }
