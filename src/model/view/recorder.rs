@@ -39,7 +39,7 @@ pub struct Recording {
     /// What was seen, of each kind at all instants.
     pub tracks: Vec<Track>,
     pub(super) watched: Watched,
-    /// Units of the run so far.
+    /// How much each unit amounts to in the run so far.
     pub(super) measures: Measures,
     frames: FrameCache,
     responder: Option<Responder>,
