@@ -1,6 +1,7 @@
 #!/bin/sh
 # Builds the book into target/book, from docs/ and mkdocs.yml: open target/book/index.html. A link or an anchor that leads nowhere, a page that the
 # book does not list, and anything that a page would load from the net are errors. Needs Python 3.11 or later; PYTHON names another one than python3.
+# The pictures of the gallery lead to pages that move, where scripts/gallery.py has made them; ANCF14_GALLERY names another folder than target/gallery.
 set -eu
 
 cd "$(dirname "$0")/.."
@@ -13,6 +14,7 @@ if ! cmp -s "$requirements" "$environment/made-from.txt"; then
     "$environment/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps --requirement "$requirements"
     cp "$requirements" "$environment/made-from.txt"
 fi
+export ANCF14_GALLERY="${ANCF14_GALLERY:-$target/gallery}"
 # The theme asks to read about its successor. `--quiet` would hide warnings from `--strict`.
 log=$target/book.log
 if ! NO_MKDOCS_2_WARNING=1 PYTHONDONTWRITEBYTECODE=1 "$environment/bin/python" -m mkdocs build --strict --clean --site-dir "$target/book" > "$log" 2>&1; then

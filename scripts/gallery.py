@@ -1,17 +1,17 @@
 """Makes a gallery for any static host: target/gallery/index.html, with a picture and a line for each model of models/, and its page of `ancf14 view`, with the solver if scripts/build-wasm.sh
-has built it. All links are relative.
+has built it. All links are relative. The book takes the pages from there (scripts/book.sh).
 
     scripts/build.sh
-    python3 scripts/gallery.py [FOLDER]
+    python3 scripts/gallery.py [--live=NAME,...] [FOLDER]
 
-Pictures and lines are those of docs/gallery.md. ANCF14 names another program than target/fmu/ancf14.
+With --live only these pages have the solver, which adds 1.4 MB to each. Pictures and lines are those of docs/gallery.md. ANCF14 names another program than target/fmu/ancf14.
 """
 
+import argparse
 import os
 import re
 import shutil
 import subprocess
-import sys
 from html import escape
 from pathlib import Path
 
@@ -45,9 +45,9 @@ a p {{ margin: 8px 12px 12px; }}
 </body>
 </html>
 """
-CARD = '<li><a href="{name}.html"><img src="{name}.png" width="620" height="430" loading="lazy" alt=""><p><strong>{name}</strong>: {line}</p></a></li>'
+CARD = '<li><a href="{name}.html#play"><img src="{name}.png" width="620" height="430" loading="lazy" alt=""><p><strong>{name}</strong>: {line}</p></a></li>'
 INTRODUCTION = "Each picture leads to a page that shows the mechanism in motion."
-LIVE = " It has the solver: change parameters, and simulate again in the browser."
+LIVE = " {which} the solver: change parameters, and simulate again in the browser."
 
 
 def entries() -> dict[str, str]:
@@ -59,23 +59,32 @@ def entries() -> dict[str, str]:
     return found
 
 
-def main(folder: Path):
+def main(folder: Path, chosen: list[str] | None):
     program = Path(os.environ.get("ANCF14", ROOT / "target/fmu/ancf14")).resolve()
-    is_live = program.with_name("ancf14.wasm").exists()
     lines = entries()
+    if unknown := set(chosen or []) - lines.keys():
+        raise SystemExit(f"--live: there is no model {', '.join(sorted(unknown))}; the models are {', '.join(lines)}")
+    has_solver = program.with_name("ancf14.wasm").exists()
+    live = [name for name in lines if has_solver and (chosen is None or name in chosen)]
     folder.mkdir(parents=True, exist_ok=True)
     for name in lines:
         model = ROOT / "models" / f"{name}.toml"
-        command = [program, "--quiet", "view", model, "-o", folder / f"{name}.html", *(["--live"] if is_live else [])]
+        command = [program, "--quiet", "view", model, "-o", folder / f"{name}.html", *(["--live"] if name in live else [])]
         # Warnings about a model, such as a limit point that it is to show, are no news here.
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode != 0:
             raise SystemExit(f"{name}: {done.stderr}")
         shutil.copy(ROOT / "docs/gallery" / f"{name}.png", folder)
     cards = "\n".join(CARD.format(name=name, line=escape(line)) for name, line in lines.items())
-    (folder / "index.html").write_text(PAGE.format(introduction=INTRODUCTION + (LIVE if is_live else ""), cards=cards), encoding="utf-8")
+    which = "All have" if len(live) == len(lines) else f"Those of {', '.join(live)} have"
+    introduction = INTRODUCTION + (LIVE.format(which=which) if live else "")
+    (folder / "index.html").write_text(PAGE.format(introduction=introduction, cards=cards), encoding="utf-8")
     print(f"{len(lines)} models: open {folder / 'index.html'} in a browser")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "target/gallery")
+    parser = argparse.ArgumentParser(description="Makes a gallery of all models, whose pictures lead to pages that move.")
+    parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "target/gallery")
+    parser.add_argument("--live", type=lambda names: names.split(","), help="the only models whose pages have the solver")
+    words = parser.parse_args()
+    main(words.folder, words.live)

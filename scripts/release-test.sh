@@ -32,7 +32,10 @@ echo "archive: the program and a C program run from another folder"
 for page in index first-steps how-do-i/ropes language/reference theory/kinematics search/search_index; do
     ls "$place/share/doc/ancf14/book/$page".* > "$place/pages.txt"
 done
-echo "archive: the book is there"
+# A picture of the gallery leads to a page that moves.
+grep -q 'href="gallery/pendulum.html#play"' "$place/share/doc/ancf14/book/gallery.html"
+grep -q 'id="data"' "$place/share/doc/ancf14/book/gallery/pendulum.html"
+echo "archive: the book is there, with a gallery that moves"
 if [ -f "$place/lib/ancf14.wasm" ]; then
     scripts/build-wasm.sh --check "$place/lib/ancf14.wasm"
     echo "archive: the solver of pages is of these sources"

@@ -26,6 +26,8 @@ share=$tree/$name/share/ancf14
 mkdir -p "$share"
 cp -r models c-examples "$share"
 cp README.md CHANGELOG.md "$tree/$name"
+# Motions that a reader can drag; the solver in every page would double the archive.
+PYTHONDONTWRITEBYTECODE=1 ANCF14="$target/fmu/ancf14" "${PYTHON:-python3}" scripts/gallery.py --live=pendulum,four_bar,robot "$target/gallery"
 scripts/book.sh
 cp -r "$target/book" "$tree/$name/share/doc/ancf14/book"
 time=$(git log -1 --format=%ct)

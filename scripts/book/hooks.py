@@ -3,10 +3,12 @@
 - Pages in the root of the repository join the book in the folder `project`.
 - A link to another file of the repository leads to a copy of that file in the folder `files`; a link to a folder becomes plain text.
 - Headings have the anchors that forges give them.
+- Pictures of the gallery lead to pages that move, where scripts/gallery.py has made them with the program of these sources.
 - Formulas become MathML, so that they need no script. A formula that is not understood ends the build.
 """
 
 import html
+import os
 import posixpath
 import re
 from pathlib import Path
@@ -32,6 +34,8 @@ PROJECT = {
 ASSETS = ["book.css", "iframe-worker.js"]
 # A listing, code within a line, or a link: code stays as it is.
 LINK = re.compile(r"^```.*?^```|`[^`\n]+`|(!?\[(?:`[^`]*`|[^\]`])*\]\()([^)\s]+)\)", re.MULTILINE | re.DOTALL)
+# A picture of the gallery.
+PICTURE = re.compile(r"!\[[^]]*\]\(gallery/(\w+)\.png\)")
 FORMULA = re.compile(r'<(span|div) class="arithmatex">\\([(\[])(.*?)\\[)\]]</\1>', re.DOTALL)
 TAG = re.compile(r"\\tag\{([^{}]*)\}")
 PRIMES = {"\u2032", "\u2033", "\u2034"}
@@ -79,6 +83,16 @@ def rewritten(text: str, folder: str, page: str) -> str:
     return LINK.sub(replace, text)
 
 
+def moving() -> dict[str, Path]:
+    """The pages that move, by the names of their models. A page of other sources is left out: its first comment has a hash of the program in it."""
+    folder = os.environ.get("ANCF14_GALLERY")
+    if not folder:
+        return {}
+    mark = (ROOT / "viewer/dist/viewer.js").read_text(encoding="utf-8").partition("\n")[0]
+    pages = [page for page in sorted(Path(folder).glob("*.html")) if page.stem != "index"]
+    return {page.stem: page for page in pages if mark in page.read_text(encoding="utf-8")}
+
+
 def lower_prime(element: ElementTree.Element) -> None:
     """Sets a prime beside its letter: fonts draw it high and small, and as an exponent it would be raised and made smaller once more."""
     if element.tag not in {f"{MATH}msup", f"{MATH}msubsup"} or element[-1].text not in PRIMES:
@@ -123,6 +137,8 @@ def on_files(files, config):
             files.append(File.generated(config, page, abs_src_path=str(ROOT / source)))
     for name in ASSETS:
         files.append(File.generated(config, f"assets/{name}", abs_src_path=str(Path(__file__).parent / name)))
+    for name, path in moving().items():
+        files.append(File.generated(config, f"gallery/{name}.html", abs_src_path=str(path)))
     texts = [(posixpath.dirname(f"docs/{file.src_uri}"), Path(file.abs_src_path)) for file in files if file.src_uri.endswith(".md") and file.generated_by is None]
     texts += [("", ROOT / source) for source in PROJECT]
     copied = {}
@@ -140,7 +156,11 @@ def on_files(files, config):
 def on_page_markdown(markdown, page, config, files):
     source = next((name for name, own in PROJECT.items() if own == page.file.src_uri and own.startswith("project/")), None)
     folder = "" if source else posixpath.dirname(f"docs/{page.file.src_uri}")
-    return rewritten(markdown, folder, page.file.src_uri)
+    text = rewritten(markdown, folder, page.file.src_uri)
+    if page.file.src_uri != "gallery.md":
+        return text
+    pages = moving()
+    return PICTURE.sub(lambda picture: f"[{picture[0]}](gallery/{picture[1]}.html#play)" if picture[1] in pages else picture[0], text)
 
 
 def on_page_content(content, page, config, files):

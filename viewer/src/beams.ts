@@ -80,6 +80,7 @@ export class Beams {
       };
       const mesh = new THREE.Mesh(body(), this.material);
       mesh.userData = { beam: number };
+      mesh.name = beam.name;
       const axis = new Axis(count, this.hair);
       const ghost = new THREE.Mesh(body(), this.faint);
       for (const part of [mesh, axis.line, ghost]) part.frustumCulled = false;

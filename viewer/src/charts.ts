@@ -1,12 +1,15 @@
 // Charts of all outputs, linked to the timeline: a click goes to that instant, the pointer reads values.
 
 import uPlot from "uplot";
+import { axisText, size, span, told } from "./axis";
 import { plainText } from "./color";
 import type { Data } from "./data";
 import { h } from "./dom";
 import type { Timeline } from "./timeline";
 
 const STROKES = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a7a00", "#56a0d3", "#7a4fc0", "#444c58"];
+/** The same colors, bright enough on a dark background. */
+const BRIGHT = ["#4aa8e8", "#f0803c", "#2fc796", "#e49ac4", "#c9ba4a", "#8ccdf5", "#ab86ea", "#b4bdca"];
 /** Lines of a second run. */
 const DASH = [6, 4];
 /** A chart of the stations of a beam has so many curves at most. */
@@ -71,6 +74,7 @@ export class Charts {
     const style = getComputedStyle(document.documentElement);
     const ink = style.getPropertyValue("--ink-soft").trim();
     const line = style.getPropertyValue("--line").trim();
+    const strokes = style.colorScheme === "dark" ? BRIGHT : STROKES;
     const axis = { stroke: ink, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1 }, font: "11px system-ui, sans-serif" };
     const title = `${group.name}${group.unit ? ` (${group.unit})` : ""}`;
     // `along.position.2` has the columns `along.position[1,2]`, ...: what differs is enough.
@@ -80,11 +84,12 @@ export class Charts {
     const isVector = group.columns.length === 3;
     const isAlong = group.columns.length > 4;
     const label = (name: string) => (isVector && AXES.get(end(name))) || end(name).replace(/^\[(\d+)(,\d+)?\]$/, (whole, station) => (isAlong ? `station ${station}` : whole));
-    const text = (value: number | null) => (value === null ? "–" : plainText(value));
+    const largest = size(shown.map((column) => columns[column].values));
+    const text = (value: number | null) => (value === null ? "–" : told(value, largest));
     const same = (column: number) => second?.data.charts.columns.find(({ name, unit }) => name === columns[column].name && unit === columns[column].unit);
     const others = shown.flatMap((column, k) => {
       const own = same(column);
-      return own ? [{ ...own, label: `${label(own.name)} 2nd`, stroke: STROKES[k % STROKES.length] }] : [];
+      return own ? [{ ...own, label: `${label(own.name)} 2nd`, stroke: strokes[k % strokes.length] }] : [];
     });
     const curve = (label: string, stroke: string, count: number) =>
       ({ label, stroke, width: 1.6, points: { show: count < 3 }, value: (_: uPlot, value: number | null | undefined) => text(value ?? null) });
@@ -97,14 +102,14 @@ export class Charts {
         height: HEIGHT,
         title,
         cursor: { sync: { key: this.sync.key, setSeries: false }, drag: { x: true, y: false }, points: { size: 6 } },
-        scales: { x: { time: false } },
+        scales: { x: { time: false }, y: { range: (_, low, high) => span(low, high) } },
         axes: [
           { ...axis, size: 26 },
-          { ...axis, size: 58, values: (_, splits) => splits.map((value) => axisText(value, splits)) },
+          { ...axis, size: 58, values: (_, splits) => splits.map((value) => (largest === 0 && value !== 0 ? "" : axisText(value, splits))) },
         ],
         series: [
-          { label: "t", value: (_, value) => text(value) },
-          ...shown.map((column, k) => curve(label(columns[column].name), STROKES[k % STROKES.length], times.length)),
+          { label: "t", value: (_, value) => (value === null ? "–" : plainText(value)) },
+          ...shown.map((column, k) => curve(label(columns[column].name), strokes[k % strokes.length], times.length)),
           ...others.map(({ label, stroke, values }) => ({ ...curve(label, stroke, values.length), dash: DASH })),
         ],
         // uPlot empties the legend as the pointer leaves; `setCursor` comes after that.
@@ -155,15 +160,4 @@ export function known(values: ArrayLike<number | null | undefined>, index: numbe
     for (const place of [index - away, index + away]) if (values[place] !== undefined) return place;
   }
   return index;
-}
-
-/** A number of an axis: as many digits as tell neighbours apart. */
-function axisText(value: number, splits: number[]): string {
-  const step = Math.abs(splits[1] - splits[0]) || 1;
-  const most = Math.max(...splits.map(Math.abs));
-  if (value === 0) return "0";
-  if (most >= 1e5 || most < 1e-3) return value.toExponential(Math.max(0, Math.min(3, Math.floor(Math.log10(most)) - Math.floor(Math.log10(step)))));
-  let digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  if (Math.abs(step * 10 ** digits - Math.round(step * 10 ** digits)) > 1e-6) digits++;
-  return value.toFixed(digits);
 }

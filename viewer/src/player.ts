@@ -6,6 +6,7 @@ import { Comparison, instants } from "./comparison";
 import { QUANTITIES, range, values, type Quantity } from "./color";
 import type { Data, Track } from "./data";
 import { between, Moment, type Between } from "./moment";
+import { isStill, opening, plays } from "./opening";
 import { nearest, placeAt, under, type Spot } from "./pick";
 import { Ropes } from "./ropes";
 import { Signs } from "./signs";
@@ -50,8 +51,6 @@ export class Player {
 
   constructor(readonly data: Data, parent: HTMLElement) {
     this.run = new Timeline(instants(data), 8);
-    // Equilibria are followed for the sake of the last one.
-    if (!data.scene.dynamic) this.run.seek(this.run.end);
     this.stage = new Stage(data, parent);
     this.beams = new Beams(data, this.scale);
     this.signs = new Signs(data, this.stage.extent * 0.75, this.stage.up);
@@ -66,14 +65,18 @@ export class Player {
     );
     this.marker.renderOrder = 2;
     this.marker.visible = false;
-    this.stage.scene.add(this.beams.group, this.beams.ghosts, this.trails.group, this.marker);
-    this.stage.scene.add(this.ropes.group, this.water.group);
-    this.stage.scene.add(this.signs.bodies, this.signs.joints, this.signs.springs, this.signs.loads, this.signs.reactions, this.signs.points);
-    if (this.comparison) this.stage.scene.add(this.comparison.group);
+    this.stage.scene.add(this.marker, ...this.shown);
     for (const timeline of [this.run, this.swing]) timeline.onchange(() => this.refresh());
     this.stage.controls.addEventListener("change", () => this.redraw());
     new ResizeObserver(() => this.redraw()).observe(parent);
     requestAnimationFrame((now) => this.tick(now));
+  }
+
+  /** All that belongs to the mechanism, of both runs. */
+  get shown(): THREE.Object3D[] {
+    const { beams, trails, ropes, water, signs, comparison } = this;
+    const own = [beams.group, beams.ghosts, trails.group, ropes.group, water.group, signs.bodies, signs.joints, signs.springs, signs.loads, signs.reactions, signs.points];
+    return comparison ? [...own, comparison.group] : own;
   }
 
   /** The state of a run that goes on while a reader drags the mechanism; it is shown instead of the recorded one. */
@@ -243,6 +246,16 @@ export class Player {
     this.swing.playing = mode !== undefined;
     this.mode = mode;
     this.refresh();
+  }
+
+  /** Shows the state worth seeing; plays from the start where the address of the page asks for it. */
+  open(): void {
+    // The end of both runs, where they are equilibria.
+    this.run.seek(this.data.scene.dynamic ? opening(this.data, this.quantity) : this.run.end);
+    if (this.data.times.length < 2 && this.data.modes.length > 0) {
+      this.show(0);
+      if (isStill()) this.swing.hold(PERIOD / 4);
+    } else if (plays()) this.run.play();
   }
 
   choose(spot: Spot | undefined): void {

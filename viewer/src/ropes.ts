@@ -25,6 +25,7 @@ export class Ropes {
     const rod = new THREE.CylinderGeometry(1, 1, 1, 8, 1, true).rotateZ(-Math.PI / 2).translate(0.5, 0, 0);
     this.pieces = new THREE.InstancedMesh(rod, new THREE.MeshStandardMaterial({ color: COLOR, roughness: 0.8 }), count);
     this.pieces.frustumCulled = false;
+    this.group.name = "ropes";
     this.group.add(this.pieces);
   }
 

@@ -4,14 +4,12 @@ import * as THREE from "three";
 import type { Data } from "./data";
 import type { Moment } from "./moment";
 import type { Solid } from "./format";
+import { Springs } from "./springs";
 
 const X = new THREE.Vector3(1, 0, 0);
-const COLORS = { body: 0xd8892b, joint: 0x5b6473, ground: 0x8c6d46, spring: 0x2f9e63, force: 0xd63a3a, moment: 0x9a4fd0, reaction: 0x1f9e9e, point: 0x101418, surface: 0x7a8699 };
-
-/** So many springs are drawn at full size. */
-const FULL_SIZED = 12;
-/** Springs that are longer than so many times the machine are drawn as lines. */
-const LONGEST_COIL = 2;
+const COLORS = { body: 0xd8892b, joint: 0x5b6473, ground: 0x8c6d46, force: 0xd63a3a, moment: 0x9a4fd0, reaction: 0x1f9e9e, point: 0x101418, surface: 0x7a8699 };
+/** Opacity of a body. */
+const THROUGH = 0.5;
 
 /** Lets a thing be at place number `at` of `places`, turned as `turns` says. */
 function put(thing: THREE.Object3D, at: number, places: Float32Array, turns?: Float32Array): void {
@@ -23,6 +21,12 @@ function matt(color: number, opacity = 1): THREE.MeshStandardMaterial {
   return new THREE.MeshStandardMaterial({ color, roughness: 0.6, transparent: opacity < 1, opacity });
 }
 
+/** Gives a thing its name in files. */
+function titled<Thing extends THREE.Object3D>(thing: Thing, name: string): Thing {
+  thing.name = name;
+  return thing;
+}
+
 /** All signs; they know by themselves where they are. */
 export class Signs {
   readonly bodies = new THREE.Group();
@@ -30,7 +34,7 @@ export class Signs {
   readonly loads = new THREE.Group();
   readonly reactions = new THREE.Group();
   readonly points = new THREE.Group();
-  readonly springs = new THREE.Group();
+  private readonly coils: Springs;
   private readonly arms: THREE.LineSegments;
   private readonly frames: THREE.Object3D[];
   private readonly surfaces: THREE.Object3D[];
@@ -40,12 +44,9 @@ export class Signs {
   /** `size` is the extent of the machine, m; `up` points against gravity. */
   constructor(private readonly data: Data, private readonly size: number, up: THREE.Vector3) {
     const { scene } = data;
-    for (const body of scene.bodies) this.bodies.add(solid(body.solid, size));
-    for (const joint of scene.joints) this.joints.add(jointSign(joint.kind, joint.grounded, 0.016 * size, up));
-    // Many springs would hide what they hold.
-    const coil = springShape(0.018 * size * Math.min(1, Math.sqrt(FULL_SIZED / Math.max(1, scene.springs.length))));
-    const wire = new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(), X]);
-    for (const _ of scene.springs) this.springs.add(springSign(coil, wire));
+    for (const { name, solid: shape } of scene.bodies) this.bodies.add(titled(solid(shape, size), name));
+    for (const { name, kind, grounded } of scene.joints) this.joints.add(titled(jointSign(kind, grounded, 0.016 * size, up), name));
+    this.coils = new Springs(data, size);
     this.frames = scene.frames.map(() => new THREE.AxesHelper(0.09 * size));
     for (const frame of this.frames) this.joints.add(frame);
     this.surfaces = (scene.surfaces ?? []).map(({ corners, faces }) => surfaceSign(corners, faces));
@@ -85,14 +86,19 @@ export class Signs {
 
   private readonly isLine: boolean[];
 
-  update({ parts }: Moment): void {
+  get springs(): THREE.Group {
+    return this.coils.group;
+  }
+
+  update(moment: Moment): void {
+    const { parts } = moment;
+    this.coils.update(moment);
     this.bodies.children.forEach((body, k) => put(body, k, parts["body.place"], parts["body.turn"]));
     this.data.scene.joints.forEach((_, k) => put(this.joints.children[k], k, parts["joint.place"], parts["joint.turn"]));
     this.data.scene.joints.forEach((_, k) => upright(this.joints.children[k]));
     this.frames.forEach((frame, k) => put(frame, k, parts["frame.place"], parts["frame.turn"]));
     this.surfaces.forEach((surface, k) => put(surface, k, parts["surface.place"], parts["surface.turn"]));
     this.points.children.forEach((point, k) => put(point, k, parts["point.place"]));
-    this.springs.children.forEach((spring, k) => stretch(spring, parts["spring.a"], parts["spring.b"], k, LONGEST_COIL * this.size));
     const ends = this.arms.geometry.attributes.position as THREE.BufferAttribute;
     this.data.scene.joints.forEach((_, k) => {
       for (const [side, from] of [parts["joint.a"], parts["joint.b"]].entries()) {
@@ -137,7 +143,10 @@ function solid(shape: Solid, size: number): THREE.Mesh {
     if (shape.axis === 0) geometry.rotateZ(-Math.PI / 2);
     if (shape.axis === 2) geometry.rotateX(Math.PI / 2);
   }
-  const mesh = new THREE.Mesh(geometry, matt(COLORS.body, 0.82));
+  // A beam inside or behind is seen through it; the edges keep its shape.
+  const material = matt(COLORS.body, THROUGH);
+  material.depthWrite = false;
+  const mesh = new THREE.Mesh(geometry, material);
   mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 30), new THREE.LineBasicMaterial({ color: 0x6b4310 })));
   return mesh;
 }
@@ -200,41 +209,7 @@ function upright(sign: THREE.Object3D): void {
   }
 }
 
-/** A coil of length 1 along x. */
-function springShape(radius: number): THREE.BufferGeometry {
-  const turns = 9;
-  const steps = 260;
-  const points = Array.from({ length: steps + 1 }, (_, step) => {
-    const share = step / steps;
-    const inside = Math.min(1, Math.max(0, (share - 0.1) / 0.8));
-    const angle = 2 * Math.PI * turns * inside;
-    const wide = radius * Math.min(1, 12 * inside, 12 * (1 - inside));
-    return new THREE.Vector3(share, wide * Math.cos(angle), wide * Math.sin(angle));
-  });
-  return new THREE.TubeGeometry(new THREE.CatmullRomCurve3(points), steps, 0.12 * radius, 6);
-}
-
-const from = new THREE.Vector3();
 const to = new THREE.Vector3();
-
-/** A coil, and the line that stands for it where it is very long. */
-function springSign(coil: THREE.BufferGeometry, wire: THREE.BufferGeometry): THREE.Group {
-  const sign = new THREE.Group();
-  sign.add(new THREE.Mesh(coil, matt(COLORS.spring)), new THREE.Line(wire, new THREE.LineBasicMaterial({ color: COLORS.spring, transparent: true, opacity: 0.35 })));
-  return sign;
-}
-
-function stretch(spring: THREE.Object3D, a: Float32Array, b: Float32Array, k: number, longest: number): void {
-  from.fromArray(a, 3 * k);
-  to.fromArray(b, 3 * k).sub(from);
-  const length = to.length();
-  spring.position.copy(from);
-  spring.scale.set(Math.max(length, 1e-9), 1, 1);
-  const [coil, wire] = spring.children;
-  coil.visible = length <= longest;
-  wire.visible = !coil.visible;
-  if (length > 0) spring.quaternion.setFromUnitVectors(X, to.divideScalar(length));
-}
 
 /** An arrow that begins at a point; a moment has two heads. */
 class Arrow {

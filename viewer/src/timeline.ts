@@ -62,6 +62,19 @@ export class Timeline {
     this.tell();
   }
 
+  /** Plays from the start. */
+  play(): void {
+    this.time = this.start;
+    this.playing = this.duration > 0;
+    this.tell();
+  }
+
+  /** Stands still at a time. */
+  hold(time: number): void {
+    this.playing = false;
+    this.seek(time);
+  }
+
   pause(): void {
     this.playing = false;
     this.tell();

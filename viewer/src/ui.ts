@@ -5,11 +5,12 @@ import { Charts } from "./charts";
 import { gradient, QUANTITIES, quantityText } from "./color";
 import type { Data } from "./data";
 import { button, choice, h, save, slider, tick } from "./dom";
+import { glb } from "./glb";
 import { Labels } from "./labels";
 import { PickPanel } from "./panel";
 import { Player } from "./player";
 import { niceLength, type View } from "./stage";
-import { listenToKeys } from "./keys";
+import { list, listenToKeys } from "./keys";
 import { Video } from "./video";
 
 /** Below this width charts go under the picture, and controls lie over it. */
@@ -70,7 +71,7 @@ export class Page {
     this.pointer();
     listenToKeys(this, this.listening.signal);
     player.onupdate(() => this.update());
-    if (data.times.length < 2 && data.modes.length > 0) player.show(0);
+    player.open();
     this.legend.hidden = !player.quantity;
     this.describe();
     player.stage.covered = () => (this.legend.hidden ? undefined : this.legend.getBoundingClientRect());
@@ -94,28 +95,47 @@ export class Page {
     const others = second ? second.data.notes.map((note) => `${second.names[1]}: ${note}`) : [];
     const notice = [...notes, ...others].map((note) => h("p", { class: "note" }, note));
     const title = h("div", { class: "title" }, h("h1", {}, scene.name), h("p", { class: "description" }, scene.description));
+    const model = button("glTF", "Save the mechanism of this instant as glTF, for other programs", () => this.saveModel(), "M");
+    model.dataset.control = "gltf";
     const tools = h(
       "div", { class: "tools" },
       button("PNG", "Save the picture as PNG", () => save(this.player.stage.png(this.background), this.data.scene.name, "png")),
+      model,
       this.video.format && this.video.button,
       button("◐", "Light or dark", () => this.switchTheme()),
-      button("?", "Keys", () => this.help.showModal()),
+      button("?", "Keys", () => this.help(), "?"),
     );
-    return h("header", {}, title, tools, ...notice, this.help);
+    return h("header", {}, title, tools, ...notice, this.keys);
   }
 
-  private readonly help = h(
-    "dialog", { class: "help", "aria-label": "Keys" },
-    h("h2", {}, "Keys"),
-    h("dl", {}, ...[
-      ["Space", "play, pause"], ["← →", "one instant back, on"], ["Home End", "to the start, to the end"], ["− +", "slower, faster"], ["L", "loop"],
-      ["1 2 3 4", "views: oblique, front, side, top"], ["F", "fit into the picture"], ["P", "perspective or parallel"], ["C", "next quantity to color by"],
-      ["G", "as drawn, faintly"], ["N", "names"], ["T", "trails"], ["B", "the second run, in a comparison"],
-      ...(this.video.format ? [["V", "record a video of the motion; again: end and save it"]] : []), ["Esc", "forget the point"],
-    ].flatMap(([key, words]) => [h("dt", {}, key), h("dd", {}, words)])),
-    h("p", {}, "Drag turns, with the right button or two fingers moves, the wheel zooms. A click on a beam reads its section, a click into a chart goes to that instant. With the solver in the page, Interact lets you drag the mechanism while it is simulated; Esc ends it."),
-    h("form", { method: "dialog" }, h("button", {}, "Close")),
-  );
+  private readonly keys = h("dialog", { class: "help", "aria-label": "Keys" });
+
+  /** Opens the list of all keys, or closes it. */
+  help(): void {
+    if (this.keys.open) return this.keys.close();
+    this.keys.replaceChildren(
+      h("h2", {}, "Keys"),
+      list(this),
+      h("p", {}, "Drag turns, with the right button or two fingers moves, the wheel zooms. A click on a beam reads its section, a click into a chart goes to that instant. With the solver in the page, Interact lets you drag the mechanism while it is simulated; Esc ends it."),
+      h("form", { method: "dialog" }, h("button", {}, "Close")),
+    );
+    this.keys.showModal();
+  }
+
+  /** Whether the browser can record a video. */
+  get records(): boolean {
+    return this.video.format !== undefined;
+  }
+
+  /** Saves what is seen at this instant as a file of glTF. */
+  private saveModel(): void {
+    const { player, data } = this;
+    const bytes = glb(player.shown, player.stage.up, `${data.scene.name}, ${this.clock.textContent}`, data.program);
+    const url = URL.createObjectURL(new Blob([bytes], { type: "model/gltf-binary" }));
+    save(url, data.scene.name, "glb");
+    // A browser may begin to read it only when the reader has said where to put it.
+    setTimeout(() => URL.revokeObjectURL(url), 60000);
+  }
 
   /** Tells the two runs apart, by the color in the picture and the lines in the charts. */
   private runs(names: [string, string]): HTMLElement {

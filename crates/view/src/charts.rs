@@ -4,6 +4,7 @@ use super::block::{Effort, doubles};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::{Causality, Variable};
+use ancf14::model::view::Recording;
 use serde::Serialize;
 
 /// The outputs so far.
@@ -77,8 +78,8 @@ impl Charts {
         }
     }
 
-    /// As the page has them.
-    pub fn charted(&self, effort: Effort) -> Charted {
+    /// As the page has them: zeros instead of values that are the round-off of what `recording` has seen.
+    pub fn charted(&self, recording: &Recording, effort: Effort) -> Charted {
         let mut groups: Vec<Group> = Vec::new();
         for (place, column) in self.columns.iter().enumerate() {
             let name = group(&column.name);
@@ -87,12 +88,17 @@ impl Charts {
                 None => groups.push(Group { name, unit: column.unit.clone(), columns: vec![place] }),
             }
         }
-        let column = |column: &Column| ChartedColumn {
+        let values: Vec<_> = self.columns.iter().map(|own| (&*own.name, &*own.unit, &*own.values)).collect();
+        let data = |values: &[f64], is_zero: bool| match is_zero {
+            true => doubles(&vec![0.0; values.len()], effort),
+            false => doubles(values, effort),
+        };
+        let column = |(column, is_zero): (&Column, bool)| ChartedColumn {
             name: column.name.clone(),
             unit: column.unit.clone(),
-            data: doubles(&column.values, effort),
+            data: data(&column.values, is_zero),
         };
-        let columns = self.columns.iter().map(column).collect();
+        let columns = self.columns.iter().zip(recording.are_zero(&values)).map(column).collect();
         Charted { count: self.times.len(), times: doubles(&self.times, effort), columns, groups }
     }
 }

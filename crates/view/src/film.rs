@@ -116,7 +116,7 @@ impl Film {
             times: doubles(&recording.times, effort),
             instants: recording.times.len(),
             tracks: format::tracks(recording, effort),
-            charts: charts.charted(effort),
+            charts: charts.charted(recording, effort),
             modes: swings.iter().map(format::mode).collect(),
         };
         serde_json::to_string(&data)

@@ -30,10 +30,15 @@ pub struct Data {
     pub modes: Vec<Value>,
 }
 
-/// The tracks of a recording.
+/// The tracks of a recording; zeros instead of results that are round-off.
 pub fn tracks(recording: &Recording, effort: Effort) -> BTreeMap<&'static str, Quantized> {
+    let zeros = recording.zero_results();
+    let shown = |track: &Track| match zeros.contains(&track.name) {
+        true => quantized(&Track { values: vec![0.0; track.values.len()], ..*track }, effort),
+        false => quantized(track, effort),
+    };
     let has_things = |track: &&Track| track.things > 0;
-    recording.tracks.iter().filter(has_things).map(|track| (track.name, quantized(track, effort))).collect()
+    recording.tracks.iter().filter(has_things).map(|track| (track.name, shown(track))).collect()
 }
 
 /// What never changes.

@@ -12,6 +12,7 @@ mod rope_line;
 mod scene;
 mod shapes;
 mod stations;
+mod zeros;
 
 pub use crate::mechanics::fluid::waves::Component as Wave;
 pub use profile::{Profile, Solid};

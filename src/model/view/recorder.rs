@@ -12,6 +12,7 @@ use crate::mechanics::output::section_loads::SectionLoads;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::model::run::scale::Measures;
 use crate::model::run::simulation::Simulation;
 use crate::solve::step::response::{Responder, Response};
 
@@ -38,6 +39,8 @@ pub struct Recording {
     /// What was seen, of each kind at all instants.
     pub tracks: Vec<Track>,
     pub(super) watched: Watched,
+    /// How much each unit amounts to in the run so far.
+    pub(super) measures: Measures,
     frames: FrameCache,
     responder: Option<Responder>,
     response: Response,
@@ -100,6 +103,7 @@ impl Recording {
             scene,
             times: Vec::new(),
             watched,
+            measures: simulation.measures(),
             frames,
             responder: None,
             response: Response::default(),
@@ -148,6 +152,7 @@ impl Recording {
             track.values.append(&mut values);
         }
         self.times.push(state.time);
+        self.measures = simulation.measures();
     }
 
     /// Drops all instants except the last, so that a long export needs constant memory.

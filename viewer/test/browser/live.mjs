@@ -183,8 +183,9 @@ test("a solver that ends on an error of its own is told, and the page goes on", 
     await page.waitForSelector(".error", { timeout: 10000 });
     assert.equal(await page.textContent(".error"), words);
   }
+  const opened = await page.evaluate(() => window.ancf14.player.timeline.time);
   await page.click("button.play");
-  await page.waitForFunction(() => window.ancf14.player.timeline.time > 0);
+  await page.waitForFunction((opened) => window.ancf14.player.timeline.time !== opened, opened);
   await close();
 });
 

@@ -34,8 +34,8 @@ export async function end() {
   rmSync(folder, { recursive: true });
 }
 
-/** Opens a page from the disk, which may ask for nothing. */
-export const open = (name, options = {}) => visit(pathToFileURL(join(folder, name)).href, () => false, undefined, options);
+/** Opens a page from the disk, which may ask for nothing; `hash` is the end of its address. */
+export const open = (name, { hash = "", ...options } = {}) => visit(pathToFileURL(join(folder, name)).href + hash, () => false, undefined, options);
 
 /**
  * Opens the page of an address and keeps what it complains of and asks for; `may` says which addresses it may ask for in addition to its own. Waits for what is shown, or for an element.
@@ -55,7 +55,7 @@ export async function visit(address, may, selector, options = {}) {
   const close = async (expected = () => false) => {
     // A software renderer tells how slowly it reads pixels back; the blob is the page's own, made to unpack its data.
     assert.deepEqual(complaints.filter((text) => !text.includes("GPU stall") && !expected(text)), [], "the page complains");
-    assert.deepEqual(requests.filter((url) => url !== address && !may(url) && !url.startsWith("data:") && !url.startsWith("blob:")), [], "the page asks for something");
+    assert.deepEqual(requests.filter((url) => url !== address.split("#")[0] && url !== address && !may(url) && !url.startsWith("data:") && !url.startsWith("blob:")), [], "the page asks for something");
     await context.close();
   };
   return { page, close };
