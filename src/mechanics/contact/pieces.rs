@@ -253,8 +253,8 @@ mod tests {
             Lying { vectors: [border, along, border + along, along], length: 1.0 }
         });
         let (mut sum, mut cells) = (0.0, [0; CELLS]);
-        let gaps = [|xi: f64| start.point(xi).x - 5e-3, |xi: f64| end.point(xi).x - 5e-3];
-        each_point(&[&gaps[0], &gaps[1]], 1.0, &mut |cell, _, share| {
+        let gap = |own: &Lying, xi: f64| own.point(xi).x - 5e-3;
+        each_point(&[&|xi| gap(&start, xi), &|xi| gap(&end, xi)], 1.0, &mut |cell, _, share| {
             sum += share;
             cells[cell] += 1;
         });

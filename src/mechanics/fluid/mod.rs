@@ -1,5 +1,5 @@
-//! The fluids around beams and bodies, water below its surface and air above it: the medium and its motion, the share of
-//! a section that is in it, and how sections resist the flow.
+//! The fluids around beams and bodies, water below its surface and air above it: the medium and its motion, the share
+//! of a section that is in it, and how sections resist the flow.
 
 pub mod flow;
 pub mod medium;

@@ -49,7 +49,7 @@ impl Observer {
         (linear, own.axes.tr_mul(&(motion.1 - angular_velocity(&own, &rate))))
     }
 
-    /// Acceleration as seen, m/s², of what has the place, the velocity and the acceleration `of` in global axes.
+    /// Acceleration as seen, m/s², of what has the position, the velocity and the acceleration `of` in global axes.
     pub fn acceleration(&self, c: &Configuration, velocity: &[f64], acceleration: &[f64], of: [Vec3; 3]) -> Vec3 {
         let (own, rate) = (self.marker.pose(c), pose(&self.marker.pose_rate(c, velocity)));
         let second = pose(&self.marker.pose_acceleration(c, velocity, acceleration));

@@ -43,7 +43,7 @@ pub struct JointLoads<'a> {
 }
 
 impl JointLoads<'_> {
-    /// Force (N) and moment (N m) that b receives through the joint of these `parts`, at b's place, in global axes.
+    /// Force (N) and moment (N m) that b receives through the joint of these `parts`, at b's position, in global axes.
     pub fn reaction(&self, parts: &JointParts) -> (Vec3, Vec3) {
         let joints = parts
             .joint

@@ -52,7 +52,7 @@ impl System {
         markers.map(moved).collect()
     }
 
-    /// The small motion `motion` about `from`, seen about `to`: places move and parts turn alike. Coordinates that are
+    /// The small motion `motion` about `from`, seen about `to`: positions move and parts turn alike. Coordinates that are
     /// directions fixed to a part, of bodies and of sections that are not turned by an angle, turn with the part from
     /// one to the other.
     pub fn motion_about(&self, motion: &[f64], from: &Configuration, to: &Configuration) -> Vec<f64> {

@@ -1,8 +1,8 @@
 //! The account of a motion: its energy changes by the work of loads, actuators and drives, by what dampers take, and by
 //! the drift, which is the integrator's.
 //!
-//! `energy.total(t) − energy.total(0) = loads + actuators + drives + fluids − dissipated + drift`, summed over the steps
-//! as they take their forces.
+//! `energy.total(t) − energy.total(0) = loads + actuators + drives + fluids − dissipated + drift`, summed over the
+//! steps as they take their forces.
 
 use serde::{Deserialize, Serialize};
 

@@ -28,14 +28,11 @@ impl Checker<'_> {
             self.check_drag_area(section);
         }
         document.bodies.iter().for_each(|body| self.check_volume(body));
-        let fluids = [
-            ("water", document.water.as_ref().map(|own| own.place)),
-            ("air", document.air.as_ref().map(|own| own.place)),
-        ];
-        for (fluid, place) in fluids.into_iter().filter_map(|(fluid, place)| Some((fluid, place?))) {
-            self.check_integrator(fluid, place);
-            let reached = document.beams.iter().filter(|beam| fluid == "water" || meets_air(document, beam));
-            reached.for_each(|beam| self.check_beam_in(fluid, beam));
+        if let Some(water) = &document.water {
+            self.check_fluid("water", water.place);
+        }
+        if let Some(air) = &document.air {
+            self.check_fluid("air", air.place);
         }
         let Some(water) = &document.water else {
             self.check_dry();
@@ -54,16 +51,19 @@ impl Checker<'_> {
         self.check_seabed();
     }
 
-    fn check_integrator(&mut self, fluid: &str, place: Place) {
-        let simulation = &self.document.simulation;
-        if simulation.analysis == Analysis::Dynamic
-            && matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
+    /// Reports what `fluid`, whose section stands at `section`, cannot act on.
+    fn check_fluid(&mut self, fluid: &str, section: Place) {
+        let document = self.document;
+        if document.simulation.analysis == Analysis::Dynamic
+            && matches!(document.simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
         {
             let message = format!("generalized_alpha does not support {fluid}");
             let label = format!("a model with [{fluid}] needs another integrator");
             let help = format!("leave integrator out: the default supports {fluid}");
-            self.mistake(place, &message, &label, &help);
+            self.mistake(section, &message, &label, &help);
         }
+        let reached = document.beams.iter().filter(|beam| fluid == "water" || meets_air(document, beam));
+        reached.for_each(|beam| self.check_beam_in(fluid, beam));
     }
 
     /// Reports outputs of lines on a seabed that is not there.

@@ -180,8 +180,8 @@ fn sort_each(lists: &mut [Vec<usize>]) {
 }
 
 impl Fronts {
-    /// For the pattern of the `blocks` in use. None where there is no such order, since a multiplier acts on nothing, or
-    /// where the fronts need too much memory.
+    /// The order for the pattern of the `blocks` in use. None where there is no such order, since a multiplier acts on
+    /// nothing, or where the fronts need too much memory.
     pub fn new(kinds: Unknowns, blocks: &Blocks) -> Option<Self> {
         let groups = Groups::new(kinds.count(), blocks);
         let multipliers = groups.starts.partition_point(|start| *start < kinds.coordinates())..groups.count();

@@ -279,14 +279,14 @@ impl Element {
         self.each_wet(water, moving, 1.0, |at| {
             let whole = at.force(water);
             add_spread(&at.shape, &(whole * (factor * at.length * at.wet.share)), forces);
-            let mut by_place = at.force_v(water) * by.velocity - at.added_mass() * by.acceleration;
+            let mut by_position = at.force_v(water) * by.velocity - at.added_mass() * by.acceleration;
             let share_z = water.medium.side.sign() * at.wet.share_z;
-            by_place.set_column(2, &(by_place.column(2) + whole * share_z));
+            by_position.set_column(2, &(by_position.column(2) + whole * share_z));
             let scale = scale * at.length;
             add_products(
                 &at.shape,
                 [&at.shape, &at.shape_x],
-                [&(by_place * scale), &(at.force_p(water) * scale)],
+                [&(by_position * scale), &(at.force_p(water) * scale)],
                 block,
             );
         });

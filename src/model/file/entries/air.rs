@@ -30,9 +30,8 @@ pub struct AirSpec {
 
 impl AirSpec {
     pub(in crate::model) fn read(mut reader: Reader<'_, '_>) -> Self {
-        let place = reader.place;
         let air = Self {
-            place,
+            place: reader.place,
             density: reader.number_or(&DENSITY, USUAL_DENSITY),
             wind: reader.vector_or(&WIND, [0.0; 3]),
             ramp: reader.number_or(&RAMP, 0.0),
