@@ -223,6 +223,13 @@ impl BeamContact {
         (clear - moved, reach)
     }
 
+    /// Gap between the surfaces at `point`, at the arc length `own`, and near the arc length `middle` of `axis`, m;
+    /// infinite where both are the same part of a beam.
+    fn gap(&self, axis: &Axis, middle: f64, point: &Vec3, own: f64) -> f64 {
+        let found = axis.nearest(point, middle);
+        if self.is_near(own, found.s) { f64::INFINITY } else { found.distance - self.distance() }
+    }
+
     /// The points of `elements` that touch over a step.
     #[inline(never)]
     fn meet_over(
@@ -237,14 +244,7 @@ impl BeamContact {
         let lying = ends.map(|c| Lying::of(&c.mesh.elements[own.elements.start + elements[0]], c));
         let axes = ends.map(|c| Axis::of(other, c));
         let middle = other.arc(elements[1], 0.5);
-        let gap = |end: usize, xi: f64| {
-            let found = axes[end].nearest(&lying[end].point(xi), middle);
-            if self.is_near(own.arc(elements[0], xi), found.s) {
-                f64::INFINITY
-            } else {
-                found.distance - self.distance()
-            }
-        };
+        let gap = |end: usize, xi: f64| self.gap(&axes[end], middle, &lying[end].point(xi), own.arc(elements[0], xi));
         let gaps: [Gap; 2] = [&|xi| gap(0, xi), &|xi| gap(1, xi)];
         each_point(&gaps, lying[1].length, &mut |_, xi, share| {
             let points = lying.map(|own| own.point(xi));
@@ -312,14 +312,7 @@ impl BeamContact {
         });
         let (lying, axis) = (Lying::of(first, c), Axis::of(other, c));
         let middle = other.arc(elements[1], 0.5);
-        let gap: Gap = &|xi| {
-            let found = axis.nearest(&lying.point(xi), middle);
-            if self.is_near(own.arc(elements[0], xi), found.s) {
-                f64::INFINITY
-            } else {
-                found.distance - self.distance()
-            }
-        };
+        let gap: Gap = &|xi| self.gap(&axis, middle, &lying.point(xi), own.arc(elements[0], xi));
         each_point(&[gap], lying.length, &mut |_, xi, share| {
             let found = axis.nearest(&lying.point(xi), middle);
             let (element, eta) = other.at(found.s);

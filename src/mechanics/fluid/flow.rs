@@ -1,9 +1,9 @@
-//! The motion of the water at a point.
+//! The motion of the fluid at a point.
 
 use crate::math::Vec3;
 use serde::{Deserialize, Serialize};
 
-/// The motion of the water at a point.
+/// The motion of the fluid at a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Flow {
     /// Velocity, m/s.
@@ -12,7 +12,7 @@ pub struct Flow {
     pub acceleration: Vec3,
 }
 
-/// The water at a point, with its surface over or under it.
+/// The fluid at a point, with its surface over or under it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Seen {
     /// Its motion.

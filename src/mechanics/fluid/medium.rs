@@ -77,7 +77,7 @@ impl Current {
 }
 
 impl Medium {
-    /// Whether the water moves by itself.
+    /// Whether the fluid moves by itself.
     pub fn moves(&self) -> bool {
         self.has_waves() || !matches!(self.current, Current::Uniform(velocity) if velocity == Vec3::zeros())
     }
@@ -96,13 +96,13 @@ impl Medium {
         s * s * s * (6.0 * s * s - 15.0 * s + 10.0)
     }
 
-    /// The water at `position`, of the state, and `time`, s, without waves.
+    /// The fluid at `position`, of the state, and `time`, s, without waves.
     pub fn still(&self, position: &Vec3, time: f64) -> Seen {
         let velocity = self.current.at(position.z + self.origin.z, time) * self.share(time);
         Seen { flow: Flow { velocity, acceleration: Vec3::zeros() }, height: self.surface - self.origin.z }
     }
 
-    /// The water at `position`, of the state, and `time`, s.
+    /// The fluid at `position`, of the state, and `time`, s.
     pub fn seen(&self, position: &Vec3, time: f64) -> Seen {
         let mut seen = self.still(position, time);
         if self.has_waves() {

@@ -1,7 +1,7 @@
 //! A rigid body in a fluid: buoyancy, drag and added mass at its center of mass, in its own axes.
 //!
 //! `F = s [−m_d g + m_d u̇ + D_a (u̇ − v̇) + |w| D_d w]` with the displaced mass `m_d`, the velocity `v` of its center,
-//! that of the water `u`, `w = u − v`, and `D = A diag A^T` of added masses and of drag areas along its axes `A`. The
+//! that of the fluid `u`, `w = u − v`, and `D = A diag A^T` of added masses and of drag areas along its axes `A`. The
 //! share `s` that is wet is that of a sphere of its volume.
 
 use crate::math::vectors::vec3;
@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 /// Speed below all that matters, m/s.
 const STILL: f64 = 1e-30;
 
-/// How water acts on a body.
+/// How fluid acts on a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WetBody {
     /// Its number.
@@ -24,7 +24,7 @@ pub struct WetBody {
     pub start: usize,
     /// Displaced volume, m³.
     pub volume: f64,
-    /// Mass of the displaced water, kg.
+    /// Mass of the displaced fluid, kg.
     pub displaced: f64,
     /// `ρ/2` times the drag areas, in the axes of its directors, kg/m.
     pub drag: Mat3,
@@ -45,7 +45,7 @@ pub struct Floating {
     pub directors: Mat3,
 }
 
-/// The water where a body is.
+/// The fluid where a body is.
 #[derive(Clone, Copy, Debug)]
 pub struct Around {
     /// Its motion and its surface.
@@ -100,28 +100,28 @@ impl WetBody {
         [0.25 * (1.0 - x) * (1.0 - x) * (2.0 + x), -0.75 * (1.0 - x * x) / radius]
     }
 
-    /// The force of the water.
-    pub fn force(&self, moving: &Floating, water: &Around) -> OnBody {
+    /// The force of the fluid.
+    pub fn force(&self, moving: &Floating, fluid: &Around) -> OnBody {
         let Floating { position, velocity, acceleration, directors } = *moving;
-        let sign = water.side.sign();
-        let [share, share_z] = self.wet_share(sign * (position.z - water.seen.height));
+        let sign = fluid.side.sign();
+        let [share, share_z] = self.wet_share(sign * (position.z - fluid.seen.height));
         let turned = |own: &Mat3| directors * own * directors.transpose();
         let (drag, added) = (turned(&self.drag), turned(&self.added));
-        let relative = water.seen.flow.velocity - velocity;
+        let relative = fluid.seen.flow.velocity - velocity;
         let speed = relative.norm() + STILL;
-        let pushed = water.seen.flow.acceleration - acceleration;
-        let own = (water.seen.flow.acceleration - water.gravity) * self.displaced;
-        let whole = own + added * pushed + drag * relative * (speed * water.share);
+        let pushed = fluid.seen.flow.acceleration - acceleration;
+        let own = (fluid.seen.flow.acceleration - fluid.gravity) * self.displaced;
+        let whole = own + added * pushed + drag * relative * (speed * fluid.share);
         let by_speed = drag * relative * relative.transpose() / speed;
         let mut by_position = Mat3::zeros();
         by_position.set_column(2, &(whole * (sign * share_z)));
         let by_directors = [0, 1, 2].map(|k| {
-            let of_drag = by_director(&self.drag, &directors, k, &relative) * (speed * water.share);
+            let of_drag = by_director(&self.drag, &directors, k, &relative) * (speed * fluid.share);
             (of_drag + by_director(&self.added, &directors, k, &pushed)) * share
         });
         OnBody {
             force: whole * share,
-            by_velocity: (drag * speed + by_speed) * (-share * water.share),
+            by_velocity: (drag * speed + by_speed) * (-share * fluid.share),
             added: added * share,
             by_position,
             by_directors,
@@ -183,14 +183,14 @@ mod tests {
         let mut seen = Seen { height: 0.1, ..Seen::default() };
         seen.flow.velocity = Vec3::new(0.5, 0.2, -0.3);
         seen.flow.acceleration = Vec3::new(0.1, -0.4, 0.2);
-        let water = Around { seen, gravity: Vec3::new(0.0, 0.0, -9.81), share: 0.7, side };
+        let fluid = Around { seen, gravity: Vec3::new(0.0, 0.0, -9.81), share: 0.7, side };
         let q: [f64; BODY] = [0.3, -0.2, 0.25, 0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0];
         let (velocity, acceleration) = ([0.4, -0.1, 0.6], [0.2, 0.3, -0.1]);
         let by = [3.0, 5.0];
         let at = |q: &[f64; BODY], by_q: [f64; 3]| {
             let moved = |own: [f64; 3], by: f64| -> [f64; 3] { std::array::from_fn(|i| own[i] + by * by_q[i]) };
             let (v, a) = (moved(velocity, by[0]), moved(acceleration, by[1]));
-            own.force(&Floating::with(0, q, Some(&v), Some(&a)), &water)
+            own.force(&Floating::with(0, q, Some(&v), Some(&a)), &fluid)
         };
         let mut block = [0.0; BODY * BODY];
         at(&q, [0.0; 3]).add_tangent(by, 1.0, &mut block);

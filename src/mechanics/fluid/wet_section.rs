@@ -2,12 +2,12 @@
 
 use crate::math::quadrature::{LOBATTO_POINTS, lagrange};
 
-/// A section in water; its coefficients have the density of the water in them.
+/// A section in fluid; its coefficients have the density of the fluid in them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WetSection {
     /// Radius outside, m.
     pub radius: f64,
-    /// Displaced water `ρ A`, kg/m.
+    /// Displaced fluid `ρ A`, kg/m.
     pub displaced: f64,
     /// Drag over the square of the velocity across the beam, `ρ D C_n / 2`, and along it, `ρ S C_t / 2`, kg/m².
     pub drag: [f64; 2],
@@ -63,7 +63,7 @@ impl WetSections {
         self.each().iter().any(|section| section.drag != [0.0; 2])
     }
 
-    /// Whether water moves with it.
+    /// Whether fluid moves with it.
     pub fn has_added_mass(&self) -> bool {
         self.each().iter().any(|section| section.added != [0.0; 2])
     }

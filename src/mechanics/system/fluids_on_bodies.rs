@@ -112,8 +112,8 @@ impl System {
         for (own, medium) in self.wet_bodies().filter(|(own, _)| own.added.amax() > 0.0) {
             let moving = Floating::with(own.start, at.q, None, None);
             let seen = medium.seen(&moving.position, at.time);
-            let water = Around { seen, gravity: Vec3::zeros(), share: 1.0, side: medium.side };
-            take(own, &own.force(&moving, &water));
+            let fluid = Around { seen, gravity: Vec3::zeros(), share: 1.0, side: medium.side };
+            take(own, &own.force(&moving, &fluid));
         }
     }
 

@@ -4,6 +4,7 @@
 
 use crate::running::start;
 use crate::support::machines::{clamp, design, integrate, load};
+use ancf14::fmi::Model;
 use ancf14::math::Vec3;
 use ancf14::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use ancf14::mechanics::beam::ancf14::strain::Strain;
@@ -379,4 +380,16 @@ fn bodies_without_any_stiffness_move_freely() {
         assert_eq!(modes.len(), count);
         assert!(modes.iter().all(|mode| mode.kind == Kind::Free), "{modes:?}");
     }
+}
+
+/// A bow that is let go at the end of its preload is in no equilibrium then. It has the equilibrium of its preload behind
+/// it, so that a start from an equilibrium is no remedy.
+#[test]
+fn modes_after_a_preload_offer_no_equilibrium() {
+    let text = std::fs::read_to_string(ancf14_testing::root().join("models/bow.toml")).unwrap();
+    let mut simulation = Simulation::load("bow.toml", &text, &[]).unwrap();
+    simulation.initialize(0.0).unwrap();
+    let warnings = simulation.modes(1).unwrap().warnings;
+    let told: Vec<_> = warnings.iter().filter(|own| own.starts_with("the mechanism is not in equilibrium")).collect();
+    assert!(matches!(&told[..], [one] if one.ends_with("act beyond t = 0")), "{warnings:?}");
 }

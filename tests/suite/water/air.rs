@@ -3,6 +3,10 @@
 
 use super::section;
 use crate::running::{run, start, value, vector};
+use ancf14::fmi::Model;
+use ancf14::model::document::Document;
+use ancf14::model::notes::notes;
+use ancf14::model::simulation::Simulation;
 
 const DENSITY: f64 = 1.225;
 
@@ -129,4 +133,28 @@ fn a_balloon_lifts() {
     println!("{force:?}");
     assert!((force.z.abs() - (2.0 * DENSITY - 1.0) * 9.81).abs() < 1e-9);
     assert!((force.x.abs() - 0.5 * DENSITY * 9.0).abs() < 1e-9);
+}
+
+/// Air that meets nothing is told, and the pole of the other tests meets it.
+#[test]
+fn idle_air_is_told() {
+    let text = pole("[air]\nwind = [20, 0, 0]");
+    for (text, count) in [(text.replace("drag = [1.2, 0]", ""), 1), (text, 0)] {
+        let found = notes(&Document::parse("m.toml", &text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}")));
+        let told = found.iter().filter(|own| own.contains("[air] acts on no beam and no body"));
+        assert_eq!(told.count(), count, "{found:?}");
+    }
+}
+
+/// An override reaches the air: twice the density is twice the force.
+#[test]
+fn overrides_reach_the_air() {
+    let text = pole("[air]\nwind = [20, 0, 0]");
+    let forces = [DENSITY, 2.0 * DENSITY].map(|density| {
+        let overrides = [(String::from("air.density"), density.to_string())];
+        let mut simulation = Simulation::load("m.toml", &text, &overrides).unwrap();
+        simulation.initialize(0.0).unwrap();
+        vector(&simulation, "foot.reaction_force").x
+    });
+    assert!((forces[1] / forces[0] - 2.0).abs() < 1e-9, "{forces:?}");
 }

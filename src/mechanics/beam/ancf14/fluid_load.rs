@@ -1,8 +1,8 @@
-//! Forces of a fluid along an element (MECHANICS 11): buoyancy, drag, and the inertia of the water around it, per
+//! Forces of a fluid along an element (MECHANICS 11): buoyancy, drag, and the inertia of the fluid around it, per
 //! undeformed length, at four Gauss points of each part that is wet.
 //!
 //! `f = s [−ρA g + ρA u̇ + b_n (u̇ − v̇)_n + b_t (u̇ − v̇)_t + d_n |w_n| w_n + d_t |w_t| w_t]`, with the wet share `s`,
-//! the velocity `v` of the axis, that of the water `u`, `w = u − v`, and parts across (`n`) and along (`t`) the
+//! the velocity `v` of the axis, that of the fluid `u`, `w = u − v`, and parts across (`n`) and along (`t`) the
 //! tangent.
 
 use super::coordinates::{ELEMENT, SHAPE_PLACES};
@@ -24,10 +24,10 @@ const STILL: f64 = 1e-30;
 /// `X_a` of an element, or their derivatives by time.
 type Shapes = [Vec3; 4];
 
-/// The water as an element sees it.
+/// The fluid as an element sees it.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
-    /// The water.
+    /// The fluid.
     pub medium: &'a Medium,
     /// The element's sections.
     pub sections: &'a WetSections,
@@ -37,7 +37,7 @@ pub struct Surroundings<'a> {
     pub time: f64,
     /// Share of the drag that acts, 0 to 1: less than 1 on the way to an equilibrium.
     pub share: f64,
-    /// The water at the four points of the rule, where it is looked at once a step.
+    /// The fluid at the four points of the rule, where it is looked at once a step.
     pub seen: Option<&'a [Seen; 4]>,
     /// Whether it has no waves: in equilibria.
     pub is_still: bool,
@@ -53,7 +53,7 @@ impl Surroundings<'_> {
         }
     }
 
-    /// The motion of the water there.
+    /// The motion of the fluid there.
     fn flow(&self, xi: f64, position: &Vec3) -> Flow {
         match self.seen {
             Some(points) => Seen::between(points, &cubic(xi)).flow,
@@ -137,7 +137,7 @@ impl Moving {
     }
 }
 
-/// The water at a point of the axis.
+/// The fluid at a point of the axis.
 struct At {
     shape: [f64; 4],
     shape_x: [f64; 4],
@@ -148,7 +148,7 @@ struct At {
     position: Vec3,
     tangent: Vec3,
     by_stretch: f64,
-    /// Velocity of the water relative to the beam, m/s, and its acceleration, and that relative to the beam, m/s².
+    /// Velocity of the fluid relative to the beam, m/s, and its acceleration, and that relative to the beam, m/s².
     relative: Vec3,
     acceleration: Vec3,
     relative_acceleration: Vec3,
@@ -163,13 +163,13 @@ impl At {
     }
 
     /// The force per length of a section that is all wet, N/m.
-    fn force(&self, water: &Surroundings) -> Vec3 {
+    fn force(&self, fluid: &Surroundings) -> Vec3 {
         let (speed, across, along) = self.flow();
         let WetSection { displaced, drag: [drag_n, drag_t], added: [added_n, added_t], .. } = self.section;
         let drag = across * (drag_n * speed) + self.tangent * (drag_t * along.abs() * along);
         let surge = self.relative_acceleration.dot(&self.tangent) * (added_t - added_n);
         let inertia = self.acceleration * displaced + self.relative_acceleration * added_n + self.tangent * surge;
-        drag * water.share + inertia - water.gravity * displaced
+        drag * fluid.share + inertia - fluid.gravity * displaced
     }
 
     /// The drag per length, N/m.
@@ -187,16 +187,16 @@ impl At {
     }
 
     /// Derivative of the drag with respect to the velocity of the beam, N s/m².
-    fn force_v(&self, water: &Surroundings) -> Mat3 {
+    fn force_v(&self, fluid: &Surroundings) -> Mat3 {
         let (speed, across, along) = self.flow();
         let [drag_n, drag_t] = self.section.drag;
         let t = self.tangent * self.tangent.transpose();
         let normal = (Mat3::identity() - t) * speed + across * across.transpose() / speed;
-        (normal * drag_n + t * (2.0 * drag_t * along.abs())) * (-self.wet.share * water.share)
+        (normal * drag_n + t * (2.0 * drag_t * along.abs())) * (-self.wet.share * fluid.share)
     }
 
     /// Derivative of the force with respect to the slope of the axis, N/m.
-    fn force_p(&self, water: &Surroundings) -> Mat3 {
+    fn force_p(&self, fluid: &Surroundings) -> Mat3 {
         let (speed, across, along) = self.flow();
         let (one, t) = (Mat3::identity(), self.tangent);
         let [drag_n, drag_t] = self.section.drag;
@@ -206,32 +206,32 @@ impl At {
         let [added_n, added_t] = self.section.added;
         let surge = self.relative_acceleration;
         let inertia = (one * surge.dot(&t) + t * surge.transpose()) * (added_t - added_n);
-        let force_t = (normal * drag_n + tangential * drag_t) * water.share + inertia;
+        let force_t = (normal * drag_n + tangential * drag_t) * fluid.share + inertia;
         force_t * (one - t * t.transpose()) * (self.wet.share * self.by_stretch)
     }
 }
 
 impl Element {
     /// Its axis at `xi` as the surface sees it.
-    fn axis_in_water(&self, water: &Surroundings, moving: &Moving, xi: f64) -> AxisPoint {
+    fn axis_in_fluid(&self, fluid: &Surroundings, moving: &Moving, xi: f64) -> AxisPoint {
         let (shape, shape_x) = (hermite::shape(xi, self.length), hermite::shape_x(xi, self.length));
         let (position, slope) = (weighted(&shape, &moving.q), weighted(&shape_x, &moving.q));
         AxisPoint {
-            height: water.medium.side.sign() * (position.z - water.height(xi, &position)),
+            height: fluid.medium.side.sign() * (position.z - fluid.height(xi, &position)),
             rise: slope.z / slope.norm().max(f64::MIN_POSITIVE),
-            radius: water.sections.at(xi).radius,
+            radius: fluid.sections.at(xi).radius,
         }
     }
 
-    /// The water at a point of its axis.
-    fn water_at(&self, water: &Surroundings, moving: &Moving, wet: WetPoint) -> At {
+    /// The fluid at a point of its axis.
+    fn fluid_at(&self, fluid: &Surroundings, moving: &Moving, wet: WetPoint) -> At {
         let (shape, shape_x) = (hermite::shape(wet.xi, self.length), hermite::shape_x(wet.xi, self.length));
         let (position, slope) = (weighted(&shape, &moving.q), weighted(&shape_x, &moving.q));
         let stretch = slope.norm().max(f64::MIN_POSITIVE);
-        let Flow { velocity, acceleration } = water.flow(wet.xi, &position);
+        let Flow { velocity, acceleration } = fluid.flow(wet.xi, &position);
         At {
             length: wet.weight * self.length,
-            section: water.sections.at(wet.xi),
+            section: fluid.sections.at(wet.xi),
             position,
             tangent: slope / stretch,
             by_stretch: 1.0 / stretch,
@@ -244,7 +244,7 @@ impl Element {
         }
     }
 
-    /// Sets `seen` to the water at its four points at the coordinates `q` of the system.
+    /// Sets `seen` to the fluid at its four points at the coordinates `q` of the system.
     pub fn look(&self, medium: &Medium, q: &[f64], time: f64, seen: &mut [Seen; 4]) {
         let own = shapes(self.own(q));
         for (seen, xi) in seen.iter_mut().zip(FOUR_POINTS) {
@@ -253,15 +253,15 @@ impl Element {
     }
 
     /// Calls `take` with the wet points up to `end`, 0 to 1.
-    fn each_wet(&self, water: &Surroundings, moving: &Moving, end: f64, mut take: impl FnMut(&At)) {
-        let axis = |xi: f64| self.axis_in_water(water, moving, xi);
-        each_wet_point(end, axis, |wet| take(&self.water_at(water, moving, wet)));
+    fn each_wet(&self, fluid: &Surroundings, moving: &Moving, end: f64, mut take: impl FnMut(&At)) {
+        let axis = |xi: f64| self.axis_in_fluid(fluid, moving, xi);
+        each_wet_point(end, axis, |wet| take(&self.fluid_at(fluid, moving, wet)));
     }
 
-    /// Adds `factor` times the generalized force of the water to `forces`, its own.
-    pub fn add_fluid(&self, water: &Surroundings, moving: &Moving, factor: f64, forces: &mut [f64]) {
-        self.each_wet(water, moving, 1.0, |at| {
-            let force = at.force(water) * (factor * at.length * at.wet.share);
+    /// Adds `factor` times the generalized force of the fluid to `forces`, its own.
+    pub fn add_fluid(&self, fluid: &Surroundings, moving: &Moving, factor: f64, forces: &mut [f64]) {
+        self.each_wet(fluid, moving, 1.0, |at| {
+            let force = at.force(fluid) * (factor * at.length * at.wet.share);
             add_spread(&at.shape, &force, forces);
         });
     }
@@ -270,31 +270,31 @@ impl Element {
     /// `block`, 14×14.
     pub fn add_fluid_and_tangent(
         &self,
-        water: &Surroundings,
+        fluid: &Surroundings,
         (moving, by): (&Moving, ByCoordinates),
         [factor, scale]: [f64; 2],
         forces: &mut [f64],
         block: &mut [f64],
     ) {
-        self.each_wet(water, moving, 1.0, |at| {
-            let whole = at.force(water);
+        self.each_wet(fluid, moving, 1.0, |at| {
+            let whole = at.force(fluid);
             add_spread(&at.shape, &(whole * (factor * at.length * at.wet.share)), forces);
-            let mut by_position = at.force_v(water) * by.velocity - at.added_mass() * by.acceleration;
-            let share_z = water.medium.side.sign() * at.wet.share_z;
+            let mut by_position = at.force_v(fluid) * by.velocity - at.added_mass() * by.acceleration;
+            let share_z = fluid.medium.side.sign() * at.wet.share_z;
             by_position.set_column(2, &(by_position.column(2) + whole * share_z));
             let scale = scale * at.length;
             add_products(
                 &at.shape,
                 [&at.shape, &at.shape_x],
-                [&(by_position * scale), &(at.force_p(water) * scale)],
+                [&(by_position * scale), &(at.force_p(fluid) * scale)],
                 block,
             );
         });
     }
 
     /// Adds `factor` times the added mass matrix to the column-major `block`, 14×14.
-    pub fn add_added_mass(&self, water: &Surroundings, moving: &Moving, factor: f64, block: &mut [f64]) {
-        self.each_wet(water, moving, 1.0, |at| {
+    pub fn add_added_mass(&self, fluid: &Surroundings, moving: &Moving, factor: f64, block: &mut [f64]) {
+        self.each_wet(fluid, moving, 1.0, |at| {
             add_products(&at.shape, [&at.shape], [&(at.added_mass() * (factor * at.length))], block);
         });
     }
@@ -303,13 +303,13 @@ impl Element {
     /// `vectorᵀ M_a vector`.
     pub fn add_added_mass_times(
         &self,
-        water: &Surroundings,
+        fluid: &Surroundings,
         moving: &Moving,
         vector: &[f64],
         product: &mut [f64],
     ) -> f64 {
         let (vector, mut form) = (shapes(self.own(vector)), 0.0);
-        self.each_wet(water, moving, 1.0, |at| {
+        self.each_wet(fluid, moving, 1.0, |at| {
             let value = weighted(&at.shape, &vector);
             let momentum = at.added_mass() * value * at.length;
             form += momentum.dot(&value);
@@ -320,24 +320,24 @@ impl Element {
 
     /// Adds `factor` times the derivative of the forces with respect to the velocities to the column-major `block`,
     /// 14×14.
-    pub fn add_fluid_damping(&self, water: &Surroundings, moving: &Moving, factor: f64, block: &mut [f64]) {
-        self.each_wet(water, moving, 1.0, |at| {
-            add_products(&at.shape, [&at.shape], [&(at.force_v(water) * (factor * at.length))], block);
+    pub fn add_fluid_damping(&self, fluid: &Surroundings, moving: &Moving, factor: f64, block: &mut [f64]) {
+        self.each_wet(fluid, moving, 1.0, |at| {
+            add_products(&at.shape, [&at.shape], [&(at.force_v(fluid) * (factor * at.length))], block);
         });
     }
 
-    /// Adds the force and the moment about `about` of the water from the start to `xi` to `sum`, in space.
-    pub fn add_fluid_up_to(&self, water: &Surroundings, moving: &Moving, xi: f64, about: &Vec3, sum: &mut Wrench) {
-        self.each_wet(water, moving, xi, |at| {
-            let force = at.force(water) * (at.length * at.wet.share);
+    /// Adds the force and the moment about `about` of the fluid from the start to `xi` to `sum`, in space.
+    pub fn add_fluid_up_to(&self, fluid: &Surroundings, moving: &Moving, xi: f64, about: &Vec3, sum: &mut Wrench) {
+        self.each_wet(fluid, moving, xi, |at| {
+            let force = at.force(fluid) * (at.length * at.wet.share);
             Acting { position: at.position, force, moment: Vec3::zeros() }.add_about(about, 1.0, sum);
         });
     }
 
     /// Drag on the section at `xi`, N/m, in space.
-    pub fn drag_at(&self, water: &Surroundings, moving: &Moving, xi: f64) -> Vec3 {
-        let (share, share_z) = self.axis_in_water(water, moving, xi).share();
-        self.water_at(water, moving, WetPoint { xi, weight: 0.0, share, share_z }).drag()
+    pub fn drag_at(&self, fluid: &Surroundings, moving: &Moving, xi: f64) -> Vec3 {
+        let (share, share_z) = self.axis_in_fluid(fluid, moving, xi).share();
+        self.fluid_at(fluid, moving, WetPoint { xi, weight: 0.0, share, share_z }).drag()
     }
 }
 
