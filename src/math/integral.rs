@@ -59,9 +59,9 @@ pub fn integral_within(f: &impl Fn(f64) -> f64, from: f64, to: f64, error: f64) 
 }
 
 /// `∫ f` as above, also where a kink or a jump lies so near to `from` or `to` that the rules, whose outermost places
-/// are inside, do not see it. At most `most` intervals are halved, a jump takes 52: where the terms of `f` cancel, the
-/// rules agree no better than its round-off, which no halving mends.
-pub fn integral_to_ends(f: &impl Fn(f64) -> f64, from: f64, to: f64, most: u32) -> f64 {
+/// are inside, do not see it. The rules need not agree further than to `error`, the round-off of an `f` whose terms
+/// cancel. At most `most` intervals are halved, a jump takes 52.
+pub fn integral_to_ends(f: &impl Fn(f64) -> f64, from: f64, to: f64, error: f64, most: u32) -> f64 {
     let mut sum = Integral { at: from, ..Integral::default() };
     if from == to {
         return 0.0;
@@ -69,7 +69,8 @@ pub fn integral_to_ends(f: &impl Fn(f64) -> f64, from: f64, to: f64, most: u32) 
     let rules = |f: &_, from, to| rules_to_ends(f, from, to);
     let (value, size, difference) = rules(f, from, to);
     let mut intervals = most;
-    sum.refined(f, (from, to), (value, difference), AGREEMENT * size, 0, (&mut intervals, &rules))
+    let bound = f64::max(AGREEMENT * size, error);
+    sum.refined(f, (from, to), (value, difference), bound, 0, (&mut intervals, &rules))
 }
 
 /// An integral, and how well it is known.
@@ -137,14 +138,25 @@ impl Integral {
     }
 }
 
+/// The values of `f` at the positions of Kronrod's rule, below and above the middle.
+fn values(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> [[f64; 2]; 8] {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    PLACES.map(|node| {
+        let below = f(middle - half * node);
+        [below, if node == 0.0 { below } else { f(middle + half * node) }]
+    })
+}
+
 /// The integral by Kronrod's rule, that of `|f|`, and how far Gauss' rule is off.
 fn rules(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
-    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    sums(&values(f, from, to), 0.5 * (to - from))
+}
+
+fn sums(values: &[[f64; 2]; 8], half: f64) -> (f64, f64, f64) {
     let (mut sum, mut size, mut gauss) = (0.0, 0.0, 0.0);
-    for (number, (node, weight)) in PLACES.into_iter().zip(KRONROD).enumerate() {
-        let values = [f(middle - half * node), f(middle + half * node)];
+    for (number, (values, weight)) in values.iter().zip(KRONROD).enumerate() {
         // The middle counts once.
-        let values = if node == 0.0 { &values[..1] } else { &values };
+        let values = if PLACES[number] == 0.0 { &values[..1] } else { values };
         for value in values {
             sum += weight * value;
             size += weight * value.abs();
@@ -159,11 +171,11 @@ fn rules(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
 /// [`rules`], and by how much more it may be off: where the values at the ends are not those of the polynomial through
 /// the others, something happens before them.
 fn rules_to_ends(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
-    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    let (sum, size, difference) = rules(f, from, to);
+    let half = 0.5 * (to - from);
+    let values = values(f, from, to);
+    let (sum, size, difference) = sums(&values, half);
     let mut ends = [0.0; 2];
-    for (node, [below, above]) in PLACES.into_iter().zip(AT_END) {
-        let values = [f(middle - half * node), f(middle + half * node)];
+    for (values, [below, above]) in values.iter().zip(AT_END) {
         ends[0] += above * values[0] + below * values[1];
         ends[1] += below * values[0] + above * values[1];
     }
@@ -197,10 +209,10 @@ mod tests {
             let kink = |x: f64| 1.0 + x + 7.0 * (x - (1.0 - gap)).max(0.0);
             let jump = |x: f64| if x < gap { 3.0 } else { 1.0 };
             let exact = [1.5 + 3.5 * gap * gap, 1.0 + 2.0 * gap];
-            let found = [integral_to_ends(&kink, 0.0, 1.0, 120), integral_to_ends(&jump, 0.0, 1.0, 120)];
+            let found = [integral_to_ends(&kink, 0.0, 1.0, 0.0, 120), integral_to_ends(&jump, 0.0, 1.0, 0.0, 120)];
             assert!((found[0] - exact[0]).abs() < 1e-13 && (found[1] - exact[1]).abs() < 1e-13, "{gap}: {found:?}");
             let smooth = |x: f64| (3.0 * x).exp();
-            assert!((integral_to_ends(&smooth, 0.0, gap, 120) - (3.0 * gap).exp_m1() / 3.0).abs() < 1e-15);
+            assert!((integral_to_ends(&smooth, 0.0, gap, 0.0, 120) - (3.0 * gap).exp_m1() / 3.0).abs() < 1e-15);
         }
     }
 
@@ -213,7 +225,7 @@ mod tests {
             count.set(count.get() + 1);
             1000.0 * (x - 0.1)
         };
-        let found = integral_to_ends(&law, 0.1, 0.1 + 1e-9, 120);
+        let found = integral_to_ends(&law, 0.1, 0.1 + 1e-9, 0.0, 120);
         // The round-off of 0.1, times the slope and the way.
         assert!((found - 5e-16).abs() < 1e-13 * 1e-9, "{found:e}");
         assert!(count.get() < 10_000, "{}", count.get());

@@ -103,7 +103,10 @@ impl Law {
     pub fn energy(&self, x: f64) -> f64 {
         match self {
             Self::OneSided { sign, stiffness, .. } => 0.5 * stiffness * (sign * x).max(0.0).powi(2),
-            Self::Function { function, .. } => integral_to_ends(&|x| function(x, 0.0)[0], 0.0, x, INTERVALS_OF_ENERGY),
+            Self::Function { function, .. } => {
+                let error = x.abs() * round_off(function(x, 0.0), x);
+                integral_to_ends(&|x| function(x, 0.0)[0], 0.0, x, error, INTERVALS_OF_ENERGY)
+            }
             Self::Friction { .. } | Self::SmoothFriction { .. } => 0.0,
             Self::Stop { limits: [lower, upper], stiffness, .. } => {
                 0.5 * stiffness * ((lower - x).max(0.0).powi(2) + (x - upper).max(0.0).powi(2))
@@ -260,12 +263,21 @@ impl Contact {
     }
 }
 
+/// How exact a function is at `x` because of the round-off of `x` itself; `f` has value and derivative. None is known
+/// where the derivative has no bounds.
+fn round_off(f: [f64; 3], x: f64) -> f64 {
+    let error = f64::EPSILON * (x * f[1]).abs();
+    if error.is_finite() { error } else { 0.0 }
+}
+
 /// The mean of a function over the way from `start` to `end`, and its derivative with respect to the end; `f` has value
 /// and derivative.
 fn mean(f: impl Fn(f64) -> [f64; 3], [start, end]: [f64; 2]) -> [f64; 2] {
     let way = end - start;
-    let value = integral_to_ends(&|s| f(start + s * way)[0], 0.0, 1.0, INTERVALS_OF_STEP);
-    let last = f(end)[0];
+    let last = f(end);
+    let error = f64::max(round_off(f(start), start), round_off(last, end));
+    let value = integral_to_ends(&|s| f(start + s * way)[0], 0.0, 1.0, error, INTERVALS_OF_STEP);
+    let last = last[0];
     let change = last - value;
     let slope = if change.abs() > CANCELLATION * last.abs().max(value.abs()) {
         change / way

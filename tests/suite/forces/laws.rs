@@ -121,9 +121,9 @@ fn energy_balance_of_laws_is_closed() {
     let law = |force: &str| format!("[spring.law]\njoint = \"rail\"\ncoordinate = \"distance\"\nforce = \"{force}\"");
     let moving = "velocity = [1, 0, 0]";
     let text = |force: &str| block(moving, &law(force), "stop = 1\nstep = 0.02");
-    let [drifted, changed] = drift(&text("x + x^3 + 50*max(x - 0.3, 0) - 20*max(-0.2 - x, 0)"), 1.0, (0.02, 20_000));
-    // Round-off of 20,000 steps of 0.5 J, and what Newton leaves of each.
-    assert!(drifted.abs() < 1e-9 && changed.abs() < 1e-9, "{drifted:e} {changed:e}");
+    let [drifted, changed] = drift(&text("x + x^3 + 50*max(x - 0.3, 0) - 20*max(-0.2 - x, 0)"), 1.0, (0.02, 5_000));
+    // Round-off of 5,000 steps of 0.5 J, and what Newton leaves of each.
+    assert!(drifted.abs() < 2.5e-10 && changed.abs() < 2.5e-10, "{drifted:e} {changed:e}");
     let [drifted, changed] = drift(&text("x + x^3 + 0.2*v*abs(v) + 0.1*v*x^2"), 1.0, (0.02, 2_000));
     assert!(drifted.abs() < 1e-9 && changed < -0.3, "{drifted:e} {changed:e}");
     // A law that drives: its work is counted as well.
@@ -134,11 +134,9 @@ fn energy_balance_of_laws_is_closed() {
          [point.hook]\non = \"bob\"\noffset = [-0.2, 0.1, 0]\n\
          [spring.rope]\na = \"ground\"\nb = \"hook\"\nstiffness = 500\ndamping = 0.5\nonly = \"tension\"\n\
          [simulation]\nstop = 1\nstep = 0.005";
-    let [drifted, changed] = drift(swinging, 1.0, (0.005, 4_000));
+    let [drifted, changed] = drift(swinging, 1.0, (0.005, 1_000));
     // A body that turns leaves 1e-12 J a step, with a linear spring too.
-    assert!(drifted.abs() < 2e-8 && changed < -0.01, "{drifted:e} {changed:e}");
-    let [linear, _] = drift(&swinging.replace("only = \"tension\"\n", ""), 1.0, (0.005, 4_000));
-    println!("drift of a rope {drifted:e} J, of a linear spring {linear:e} J");
+    assert!(drifted.abs() < 5e-9 && changed < -0.01, "{drifted:e} {changed:e}");
 }
 
 /// A law that jumps keeps the energy too; where Newton circles around the jump, a step is halved.

@@ -261,7 +261,7 @@ fn model_files_are_refused_or_run() {
     let mut counts = [0_u64; 5];
     // What is tried last is there after an abort, too.
     let trace = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("fuzz-model.toml");
-    let inputs = round("model files", 300, |seed| {
+    let inputs = round("model files", 100, |seed| {
         let text = mutated(&mut Random(seed), &files);
         std::fs::write(&trace, &text).unwrap();
         match judged(&text) {

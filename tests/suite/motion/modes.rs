@@ -157,7 +157,7 @@ fn shaft(overrides: &[(&str, &str)], count: usize) -> Vec<f64> {
     let overrides: Vec<_> = overrides.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
     let text = SHAFT.replace("[beam.shaft]", "[beam.shaft]\nrotary_inertia = false");
     let mut simulation = Simulation::load("shaft.toml", &text, &overrides).unwrap();
-    ancf14::fmi::Model::initialize(&mut simulation, 0.0).unwrap();
+    Model::initialize(&mut simulation, 0.0).unwrap();
     simulation.modes(count).unwrap().modes.iter().map(|mode| mode.angular_frequency()).collect()
 }
 
@@ -267,7 +267,7 @@ fn a_machine_swings_in_its_modes() {
     });
     let crane = include_str!("../../../models/crane.toml");
     let mut simulation = Simulation::load("crane.toml", crane, &overrides).unwrap();
-    ancf14::fmi::Model::initialize(&mut simulation, 0.0).unwrap();
+    Model::initialize(&mut simulation, 0.0).unwrap();
     let (system, rest) = (simulation.system(), simulation.state().clone());
     let found = modes(system, &rest, 8).unwrap();
     for (number, step) in [(1, 0.05), (5, 0.005)] {

@@ -210,7 +210,8 @@ fn equilibria_settle_on_finer_meshes() {
 }
 
 /// Steps and mesh become finer together, and both errors are right to what is promised: the tip of a rod that a force
-/// bends within 10 ms, first with coarse steps, against a run with a quarter of the steps and four times the elements.
+/// bends within 10 ms, first with coarse steps, against a run with half the steps and twice the elements, which sees
+/// three quarters of an error of second order.
 #[test]
 fn steps_and_meshes_become_finer_together() {
     let line = "from = [0, 0, 0]\nto = [1, 0, 0]";
@@ -221,8 +222,8 @@ fn steps_and_meshes_become_finer_together() {
     let (rows, outcome, simulation) = repeated(&text, &names, 100.0);
     let [steps, elements] = ["statistics.steps", "arm.elements"].map(|name| value(&simulation, name));
     let finer = text
-        .replace("accuracy = 3e-2\n", &format!("step = {:e}\n", 0.1 / (4.0 * steps)))
-        .replace(line, &format!("{line}\nelements = {}\ntwist = \"quadratic\"", 4.0 * elements));
+        .replace("accuracy = 3e-2\n", &format!("step = {:e}\n", 0.1 / (2.0 * steps)))
+        .replace(line, &format!("{line}\nelements = {}\ntwist = \"quadratic\"", 2.0 * elements));
     let reference = run(&mut load(&finer), &names, |_| ());
     let (name, claimed) = outcome.worst.clone().map(|worst| (worst.name, worst.error)).unwrap();
     for (place, result) in names.iter().enumerate() {
@@ -230,7 +231,7 @@ fn steps_and_meshes_become_finer_together() {
         let off = rows.iter().zip(&reference).map(|(own, truth)| (own.values[place] - truth.values[place]).abs());
         let off = off.fold(0.0, f64::max) / scale;
         println!("{}: {name} {claimed:.2e}, {result} off by {off:.2e}", outcome.line());
-        assert!(outcome.end == End::Reached && outcome.runs > 1 && elements > 8.0 && off < 0.01, "{off}");
+        assert!(outcome.end == End::Reached && outcome.runs > 1 && elements > 8.0 && off < 0.0075, "{off}");
     }
 }
 
