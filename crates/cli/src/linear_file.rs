@@ -73,6 +73,13 @@ impl<'a> Target<'a> {
                 let own = Libraries { own: packing.library.as_deref(), others: Vec::new(), program };
                 export::gather(packing.fmi, own)?
             }
+            Format::Npz | Format::Mat | Format::Json if packing.library.is_some() => {
+                return Err(Stop::Bad(format!(
+                    "error: --library is for an FMU, and {} is a file of matrices; leave --library out, or write a file that \
+                     ends in .fmu",
+                    path.display()
+                )));
+            }
             Format::Npz | Format::Mat | Format::Json => Vec::new(),
         };
         let read = libraries.iter().map(|(_, path)| ("a library to pack", path.as_path()));

@@ -121,6 +121,7 @@ fn mistakes_are_told() {
     let cantilever = model("cantilever");
     for (arguments, code, expected) in [
         (&["-o", "m.csv"][..], 2, "ends in .npz, .mat, .json or .fmu"),
+        (&["-o", "m.npz", "--library", "l.so"], 2, "--library is for an FMU"),
         (&["--at", "-1"], 2, "equilibrium, start or a time from 0 on"),
         (&["--at", "1e9"], 2, "is after the end of the run"),
         (&["--outputs", "nothing"], 1, "no output `nothing`"),
