@@ -6,6 +6,7 @@
 use crate::refusal::{Refusal, place, raised, refusal};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
+use ancf14::model::ranges::{Range, Ranges};
 use ancf14::model::refinement::{Refinement, leaves_mesh};
 use ancf14::model::rows;
 use ancf14::model::simulation::Halt;
@@ -28,8 +29,12 @@ const GRACE: Duration = Duration::from_millis(100);
 const STACK: usize = 8 << 20;
 
 /// What a run leaves: times, s; the values of all outputs, row by row (doubles in the order of bytes of the machine);
-/// warnings; the exception that ended it; the page.
-pub type Outcome = (Py<PyBytes>, Py<PyBytes>, Vec<String>, Option<Py<PyAny>>, Option<String>);
+/// warnings; the exception that ended it; the page; the ranges along beams.
+pub type Outcome = (Py<PyBytes>, Py<PyBytes>, Vec<String>, Option<Py<PyAny>>, Option<String>, Vec<FoundRange>);
+
+/// A range along a beam: its name, unit and meaning, how many components it has, the arc lengths of its stations, m,
+/// and of each component at each station minimum, time, maximum, time, mean.
+type FoundRange = (String, String, String, usize, Vec<f64>, Vec<f64>);
 
 /// What there is so far.
 #[derive(Default)]
@@ -37,6 +42,7 @@ struct Rows {
     times: Vec<f64>,
     values: Vec<f64>,
     warnings: Vec<String>,
+    ranges: Ranges,
 }
 
 /// How the other thread ended: with the page, or with an error and the line it names.
@@ -82,7 +88,7 @@ pub fn run(
                         let rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
                         // The warnings about the start stay those of the first run.
                         let mut own = locked(&own_rows);
-                        (own.times, own.values) = (rows.times, rows.values);
+                        (own.times, own.values, own.ranges) = (rows.times, rows.values, rows.ranges);
                         warnings = next.take_warnings();
                         (simulation, film) = (next, next_film);
                     }
@@ -126,7 +132,18 @@ pub fn run(
         PyBytes::new(py, &bytes).unbind()
     };
     let error = error.map(|error| error.into_value(py).into_any());
-    Ok((bytes(&rows.times), bytes(&rows.values), std::mem::take(&mut rows.warnings), error, page))
+    let ranges = found(&rows.ranges);
+    Ok((bytes(&rows.times), bytes(&rows.values), std::mem::take(&mut rows.warnings), error, page, ranges))
+}
+
+/// The ranges in plain types.
+fn found(ranges: &Ranges) -> Vec<FoundRange> {
+    let plain = |range: &Range| {
+        let Range { name, unit, meaning, components, stations, .. } = range.clone();
+        let values = range.envelopes().flat_map(|own| [own.minimum.as_slice(), &own.maximum, &[own.mean]].concat());
+        (name, unit, meaning, components, stations, values.collect())
+    };
+    ranges.list.iter().map(plain).collect()
 }
 
 /// Waits for the end without the GIL; the receiver comes back, since it belongs to one thread at a time.
@@ -168,7 +185,9 @@ fn advance(
         let mut rows = locked(rows);
         if row == 0 {
             rows.warnings.append(&mut simulation.take_warnings());
+            rows.ranges = simulation.model().ranges();
         }
+        rows.ranges.include(decimal(simulation.time()), simulation.model().results());
         rows.times.push(decimal(simulation.time()));
         for id in &outputs {
             rows.values.push(simulation.value_of(*id)?);

@@ -67,6 +67,23 @@ def test_arrays_have_the_bits_of_the_table() -> None:
     assert Path("out/results.npz").read_bytes() == first
 
 
+def test_ranges_are_those_of_columns() -> None:
+    """The ranges along a beam are the extremes of the columns of the same stations, and means over time: of straight lines from row to row."""
+    stations = 'on = "arm", stations = 3, quantities = ["displacement", "twist"]'
+    outputs = f'output.all = {{ {stations} }}\noutput.graph = {{ {stations}, summary = "range", from = 0.005 }}\n'
+    model = PUSHED.replace("output.tip", outputs + "output.tip")
+    results = ancf14.Model.from_text(model).run(inputs={"push.force": [0.0, 3.0, 5.0]})
+    counted = results.time >= 0.005
+    for quantity in ("displacement", "twist"):
+        found, own, time = results.ranges[f"graph.{quantity}"], results[f"all.{quantity}"][counted], results.time[counted]
+        assert np.array_equal(found.minimum, own.min(axis=0)) and np.array_equal(found.maximum, own.max(axis=0))
+        assert np.array_equal(found.time_of_maximum, time[own.argmax(axis=0)])
+        # Sums of 16 numbers, in another order.
+        assert np.allclose(found.mean, np.trapezoid(own, time, axis=0) / (time[-1] - time[0]), rtol=0, atol=1e-14)
+        assert np.array_equal(found.arc_length, [0, 0.5, 1])
+    assert results.ranges["graph.displacement"].unit == "m" and not any(name.startswith("graph.") for name in results.columns)
+
+
 def test_parameters_are_those_of_set() -> None:
     file = MODELS / "cantilever.toml"
     overrides = ["--set", "arm.elements=3", "--set", "strip.height=0.0051234567890123", "--set", "arm.strain=small"]

@@ -11,6 +11,7 @@ use super::progress::{Plan, bar};
 use super::rows::{Rows, Shared, locked};
 use super::{Stop, complain, failed, stages, start};
 use ancf14::fmi::Model;
+use ancf14::model::ranges::Ranges;
 use ancf14::model::refinement::Refinement;
 use ancf14::model::rows;
 use ancf14::model::simulation::{Beginning, Simulation};
@@ -26,6 +27,7 @@ pub const NEXT: &str = "results.next.csv";
 pub struct Attempt {
     pub simulation: Simulation,
     pub results: Results,
+    pub ranges: Ranges,
     pub rows: Shared,
     /// A page that shows the mechanism move.
     pub film: Option<Film>,
@@ -61,7 +63,7 @@ impl Attempt {
         keeper: &Keeper,
         repeats: bool,
     ) -> Result<(), End> {
-        let Self { simulation, results, rows, film, held } = self;
+        let Self { simulation, results, ranges, rows, film, held } = self;
         let holds = refinement.is_some();
         let bar = bar(count);
         let mut record = |row: u64, time: f64, simulation: &Simulation| {
@@ -69,6 +71,7 @@ impl Attempt {
                 refinement.look(simulation);
             }
             locked(rows).push(time, &results.record(time, simulation)).map_err(End::Write)?;
+            ranges.include(time, simulation.results());
             film.iter_mut().for_each(|film| film.look(row, simulation));
             Ok(())
         };
@@ -138,9 +141,10 @@ impl Attempt {
             if self.results.is_kept() {
                 results.keep();
             }
-            let film = self.film.as_ref().map(|_| Film::new(&simulation, script.plan.count));
+            let (film, ranges) =
+                (self.film.as_ref().map(|_| Film::new(&simulation, script.plan.count)), simulation.ranges());
             let rows = Rows::shared(folder.file(NEXT));
-            let mut next = Self { simulation: *simulation, results, rows, film, held: Vec::new() };
+            let mut next = Self { simulation: *simulation, results, ranges, rows, film, held: Vec::new() };
             locked(&self.rows).finish().map_err(End::Write)?;
             let outcome = next.run(script, Some(refinement), keeper, true);
             let finished = locked(&next.rows).finish();

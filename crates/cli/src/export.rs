@@ -128,6 +128,12 @@ pub fn pack(
     for note in notes::notes(simulation.document()) {
         complain(&format!("warning: {note}"));
     }
+    let ranges = simulation.ranges().list;
+    if !ranges.is_empty() {
+        let names: Vec<&str> = ranges.iter().map(|range| &*range.name).collect();
+        let told = "ranges over time are no variables of an FMU, which leaves out";
+        say(&format!("{told} {}; add outputs without `summary` for single points", notes::listed(&names)))?;
+    }
     let packed: Vec<_> =
         packed.iter().map(|(platform, path)| format!("{} ({})", platform.name(), path.display())).collect();
     say(&format!("{} packed for {}", output.display(), packed.join(", ")))

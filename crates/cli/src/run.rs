@@ -14,9 +14,11 @@ use super::{Stop, complain, page, say, stages};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::effort::{self, Statistics};
+use ancf14::model::ranges::Ranges;
 use ancf14::model::refinement::Refinement;
 use ancf14::model::simulation::{Beginning, Simulation};
 use ancf14_report::plot::Plot;
+use ancf14_report::ranges;
 use ancf14_report::results::Results;
 use ancf14_view::{Film, ended_early};
 use std::fs;
@@ -28,6 +30,8 @@ const COMPLETE: &str = "results.csv";
 const PARTIAL: &str = "results.part.csv";
 /// The table as arrays.
 const ARRAYS: &str = "results.npz";
+/// Minimum, maximum and mean by station.
+const RANGES: &str = "ranges.csv";
 /// The page that shows it move.
 pub const VIEW: &str = "view.html";
 
@@ -80,14 +84,17 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     }
     let rows = Rows::shared(partial.clone());
     let plots = Plot::all(&results.columns, simulation.document());
+    let ranges = simulation.ranges();
+    let has_ranges = !ranges.list.is_empty();
     let of_wish = wish.iter().flat_map(|_| &verify::FILES);
     let own = [COMPLETE, PARTIAL, NEXT, SUMMARY, PAGE]
         .iter()
         .chain(of_wish)
         .chain(film.iter().map(|_| &VIEW))
         .chain((format == Format::Npz).then_some(&ARRAYS))
+        .chain(has_ranges.then_some(&RANGES))
         .map(|name| (*name).to_owned());
-    let names: Vec<String> = plots.iter().map(Plot::file).chain(own).collect();
+    let names: Vec<String> = plots.iter().map(Plot::file).chain(ranges::files(&ranges)).chain(own).collect();
     if let Some(path) = save {
         folder.keep_apart(path, &names)?;
         output::try_out(path)?;
@@ -110,7 +117,7 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
         _ => None,
     };
     let script = Script { inputs, from: from.as_ref(), plan };
-    let mut attempt = Attempt { simulation, results, rows, film, held: Vec::new() };
+    let mut attempt = Attempt { simulation, results, ranges, rows, film, held: Vec::new() };
     let mut outcome = attempt.run(script, refinement.as_mut(), &keeper, false);
     if let Some(refinement) = refinement.as_mut().filter(|_| outcome.is_ok()) {
         outcome = attempt.repeat(script, refinement, &folder, &keeper);
@@ -118,10 +125,10 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let wall = clock.elapsed().as_secs_f64();
     let is_complete = outcome.is_ok();
     attempt.tell();
-    let Attempt { mut simulation, mut results, rows, film, .. } = attempt;
+    let Attempt { mut simulation, mut results, ranges, rows, film, .. } = attempt;
     results.zeros = simulation.zeros();
     let saved = save.filter(|_| is_complete).map_or(Ok(()), |path| stages::save(path, &simulation));
-    let finished = finish(&results, &rows, &plots, &folder, is_complete);
+    let finished = finish((&results, &ranges), &rows, &plots, &folder, is_complete);
     if is_complete && refinement.is_none() {
         // This may wait for the comparison run: a signal still ends it.
         simulation.conclude();
@@ -144,6 +151,7 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let mut files = vec![if is_complete { COMPLETE } else { PARTIAL }, SUMMARY];
     files.extend(film.iter().map(|_| VIEW));
     files.extend((is_complete && format == Format::Npz).then_some(ARRAYS));
+    files.extend((is_complete && has_ranges).then_some(RANGES));
     let conclude = |outcome: &Result<(), Stop>, pictures: &[(String, String)], files: &[&str]| {
         let write = |summary| conclusion::write(summary, (&simulation, outcome), pictures, files, &folder);
         summary.as_ref().map_or(Ok(()), write)
@@ -171,9 +179,9 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     verified.and(written)
 }
 
-/// Brings the rows to the disk and draws the plots; returns their names and texts.
+/// Brings the rows and the ranges to the disk and draws the plots; returns their names and texts.
 fn finish(
-    results: &Results,
+    (results, ranges): (&Results, &Ranges),
     rows: &Shared,
     plots: &[Plot],
     folder: &Folder,
@@ -199,7 +207,20 @@ fn finish(
         folder.write(&name, &svg)?;
         Ok((name, svg))
     };
-    drawn.iter().map(draw).collect()
+    let mut pictures: Vec<_> = drawn.iter().map(draw).collect::<Result<_, _>>()?;
+    if is_complete && !ranges.list.is_empty() {
+        pictures.extend(write_ranges(ranges, &results.zeros, folder)?);
+    }
+    Ok(pictures)
+}
+
+/// Writes the ranges over time and draws them; returns the names and texts of the charts.
+fn write_ranges(ranges: &Ranges, zeros: &[String], folder: &Folder) -> Result<Vec<(String, String)>, Stop> {
+    folder.write(RANGES, ranges::table(ranges))?;
+    let charts = ranges::pictures(ranges, zeros).map_err(|reason| trouble(&folder.file(RANGES), &reason))?;
+    let pictures: Vec<(String, String)> = ranges::files(ranges).zip(charts).collect();
+    pictures.iter().try_for_each(|(name, svg)| folder.write(name, svg))?;
+    Ok(pictures)
 }
 
 /// Writes the page, of a run that failed too.

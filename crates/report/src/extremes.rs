@@ -28,7 +28,7 @@ pub struct Extremes {
 }
 
 /// A component that stays below this share of the largest one of its quantity is zero but for round-off.
-const ZERO: f64 = 1e-9;
+pub(crate) const ZERO: f64 = 1e-9;
 /// The same of a quantity, as a share of the largest one of its unit.
 const ROUND_OFF: f64 = 1e-13;
 

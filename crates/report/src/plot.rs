@@ -83,18 +83,7 @@ impl Plot {
     }
 
     fn chart(&self, results: &Results, remark: &str) -> Chart {
-        let unit = if self.unit.is_empty() { "1" } else { &self.unit };
-        let mut words = self.name.split('.').rev();
-        let last = words.next().unwrap_or(&self.name);
-        // `shape.displacement.2`: the component stands behind the quantity.
-        let quantity = match last.parse::<u8>() {
-            Ok(_) => {
-                let quantity = words.next().unwrap_or("");
-                format!("{quantity}, {}", Name { quantity, station: "", component: last }.axis())
-            }
-            Err(_) => last.to_owned(),
-        };
-        let value = format!("{} ({unit})", quantity.replace('_', " "));
+        let value = value_axis(&self.name, &self.unit);
         let axes = match self.kind {
             Kind::Time => [String::from("time (s)"), value],
             Kind::ArcLength => [String::from("arc length"), value],
@@ -188,6 +177,22 @@ impl Plot {
         };
         results.snapshots().enumerate().map(line).collect()
     }
+}
+
+/// What the axis of the values of a plot says: `displacement, y (m)` of `shape.displacement.2`.
+pub(crate) fn value_axis(name: &str, unit: &str) -> String {
+    let unit = if unit.is_empty() { "1" } else { unit };
+    let mut words = name.split('.').rev();
+    let last = words.next().unwrap_or(name);
+    // The component stands behind the quantity.
+    let quantity = match last.parse::<u8>() {
+        Ok(_) => {
+            let quantity = words.next().unwrap_or("");
+            format!("{quantity}, {}", Name { quantity, station: "", component: last }.axis())
+        }
+        Err(_) => last.to_owned(),
+    };
+    format!("{} ({unit})", quantity.replace('_', " "))
 }
 
 /// The value of a curve at `place`, linear between its points.

@@ -14,7 +14,7 @@ from ._linear import Linearization
 from ._model import Model, Picture, Variable
 from ._modes import Modes
 from ._native import __version__
-from ._results import Page, Results
+from ._results import Page, Range, Results
 
 __all__ = [
     "CallError",
@@ -29,6 +29,7 @@ __all__ = [
     "Modes",
     "Page",
     "Picture",
+    "Range",
     "Results",
     "RunError",
     "SolverWarning",

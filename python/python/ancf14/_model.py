@@ -20,7 +20,7 @@ from ._errors import CallError, Interrupted, ModelError, RunError, SolverWarning
 from ._linear import Linearization
 from ._modes import Modes
 from ._names import Components
-from ._results import Results
+from ._results import Range, Results
 from ._source import Source
 from ._study import sweep
 from ._study.points import Space
@@ -212,8 +212,9 @@ class Model:
         rerun = (self._source, list(dict([*self._overrides, *changes]).items()), names, values)
         with raising():
             variables = simulation.variables()
-            found, table, warnings, error, _ = simulation.run(names, values, refinement=(refine, budget))
+            found, table, warnings, error, _, ranges = simulation.run(names, values, refinement=(refine, budget))
         results = Results._of(self.name, variables, found, table, rerun)
+        results.ranges = {row[0]: Range._of(row) for row in ranges}
         # Those about the file were issued when it was loaded.
         told += [warning for warning in warnings if warning not in self._notes]
         if error is None:

@@ -9,6 +9,7 @@ import sys
 import tempfile
 import webbrowser
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -41,6 +42,38 @@ class Page:
         return f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="640" style="border: 0"></iframe>'
 
 
+@dataclass(frozen=True)
+class Range:
+    """The range over time of a quantity along a beam: arrays of shape ``(stations,)``, or ``(stations, components)`` of a vector.
+
+    A run that ended before the range begins has arrays of no station.
+    """
+
+    unit: str
+    """Its unit; empty where it has none."""
+    description: str
+    """Its meaning, with axes and sign."""
+    arc_length: Array
+    """The undeformed arc lengths of the stations from the start of the beam, m."""
+    minimum: Array
+    """The lowest values."""
+    time_of_minimum: Array
+    """The times of the rows in which they appear first, s."""
+    maximum: Array
+    """The highest values."""
+    time_of_maximum: Array
+    """The times of the rows in which they appear first, s."""
+    mean: Array
+    """The means over time, of the straight lines from row to row."""
+
+    @classmethod
+    def _of(cls, row: Any) -> Range:
+        _, unit, description, components, stations, values = row
+        table = np.array(values, dtype=float).reshape(-1, components, 5)
+        columns = [column[:, 0] if components == 1 else column for column in np.moveaxis(table, 2, 0)]
+        return cls(unit, description, np.array(stations)[: len(table)], *columns)
+
+
 class Results(Mapping[str, Array]):
     """The results of a run: ``r["tip.displacement"]`` is an array of shape ``(rows, 3)``, ``r["tip.displacement[3]"]`` of ``(rows,)``.
 
@@ -55,6 +88,8 @@ class Results(Mapping[str, Array]):
     """The unit of each column and of each vector; empty where it has none."""
     descriptions: dict[str, str]
     """The meaning of each column, with axes and sign."""
+    ranges: dict[str, Range]
+    """The range over time of each quantity along a beam whose output has ``summary = "range"``, by its name."""
 
     @classmethod
     def _of(cls, name: str, variables: list[Any], times: bytes, table: bytes, rerun: tuple[Any, ...]) -> Results:
@@ -76,6 +111,7 @@ class Results(Mapping[str, Array]):
         for base in results._components:
             results.units[base] = results.units[next(iter(results._components.names(base).values()))]
         results._rerun = rerun
+        results.ranges = {}
         return results
 
     name: str
@@ -173,7 +209,7 @@ class Results(Mapping[str, Array]):
         source, overrides, names, values = self._rerun
         with raising():
             simulation = source.load(overrides)
-            *_, error, page = simulation.run(names, values, True, len(self.time) - 1)
+            *_, error, page, _ = simulation.run(names, values, True, len(self.time) - 1)
         if page is None:
             raise error or CallError("the page cannot be written")
         target = Path(path) if path is not None else Path(tempfile.mkdtemp(prefix="ancf14-")) / "view.html"

@@ -111,7 +111,7 @@ impl Document {
         numbers.spread_tunable();
         let stop = simulation.as_ref().map_or(0.0, |simulation| numbers.values[simulation.stop.0]);
         let undefined = objections::report_undefined(&numbers, stop, &mut report);
-        objections::report_objections(&numbers, &parts, &undefined, &mut report);
+        objections::report_objections(&numbers, &parts, stop, &undefined, &mut report);
         let parameters = Parameter::table(&numbers);
         collisions::report(&parameters, &numbers, &parts.outputs, &names, &mut report);
         let (Some(model), Some(simulation)) = (model, simulation) else { return (None, report) };

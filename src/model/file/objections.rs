@@ -20,9 +20,9 @@ pub(super) fn report_undefined(numbers: &Numbers, stop: f64, report: &mut Report
     list
 }
 
-/// Reports every number that is out of its range, but for those that are reported already.
-pub(super) fn report_objections(numbers: &Numbers, parts: &Parts, told: &[Number], report: &mut Report<'_>) {
-    let together = parts.objections(numbers);
+/// Reports every number that is out of its range in a run to `stop` s, but for those that are reported already.
+pub(super) fn report_objections(numbers: &Numbers, parts: &Parts, stop: f64, told: &[Number], report: &mut Report<'_>) {
+    let together = parts.objections(numbers, stop);
     let objections = numbers.objections().into_iter().filter(|(number, _)| !told.contains(number));
     for (number, objection) in objections.chain(together) {
         let slot = &numbers.slots[number.0];

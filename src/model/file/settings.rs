@@ -101,7 +101,8 @@ impl Document {
     /// # Errors
     /// The first number that is not.
     pub fn check(&self) -> Result<(), String> {
-        match self.numbers.objections().into_iter().chain(self.parts.objections(&self.numbers)).next() {
+        let together = self.parts.objections(&self.numbers, self.value(self.simulation.stop));
+        match self.numbers.objections().into_iter().chain(together).next() {
             Some((number, objection)) => {
                 Err(format!("`{}` {objection}, this is {}", self.name(number), self.value(number)))
             }

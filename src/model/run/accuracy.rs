@@ -132,7 +132,8 @@ impl Columns {
             let family = *known.entry(name).or_insert_with(|| {
                 let is_rough = quantity.is_some_and(Quantity::is_rough);
                 let is_quaternion = quantity == Some(Quantity::Quaternion);
-                let is_shown = is_shown[result];
+                // Ranges over time are shown without a variable.
+                let is_shown = quantity.is_some() || is_shown[result];
                 let order = if quantity.is_none_or(Quantity::is_configuration) { ORDER } else { ORDER_OF_RATES };
                 families.push(Family {
                     name: name.to_owned(),

@@ -8,6 +8,7 @@ pub mod finer;
 pub mod levels;
 pub mod missed_damping;
 pub mod neighbor;
+pub mod ranges;
 pub mod rows;
 pub(super) mod scale;
 pub mod simulation;

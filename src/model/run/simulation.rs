@@ -38,6 +38,7 @@ use self::start::NoStart;
 use self::stepping::UnderWay;
 use super::accuracy::{Accuracy, Columns, Inexact, Looker};
 use super::levels::{OtherMesh, Override};
+use super::ranges::Ranges;
 use super::scale::Measures;
 use super::watch::Watch;
 use crate::error::Error;
@@ -180,6 +181,11 @@ impl Simulation {
             || matches!(simulation.integrator, IntegratorSpec::GeneralizedAlpha { .. })
             || self.table.needs_response();
         is_at_instant.then_some(&self.runner.response.multipliers)
+    }
+
+    /// The ranges over time that outputs ask for, without a row yet.
+    pub fn ranges(&self) -> Ranges {
+        Ranges::new(&self.document, &self.runner.system, &self.table)
     }
 
     /// What units amount to in the run so far; energies count where they are not among the results, too.

@@ -203,7 +203,7 @@ impl Table {
                             _ => (format!("[{station},{component}]"), format!(", component {component}")),
                         };
                         let meaning = format!("{meaning}, station {station} of {stations} from start to end{part}");
-                        self.push_result(&format!("{name}{index}"), 1, unit, &meaning);
+                        self.push_total(output.range.is_none(), &format!("{name}{index}"), 1, unit, &meaning);
                     }
                 }
                 self.measures.push(Measure::Sensors(sensors, quantity));
@@ -299,14 +299,13 @@ impl Table {
 
     /// The quantities of outputs, each with its unit and the numbers of its results.
     pub fn quantities(&self) -> impl Iterator<Item = (&str, Range<usize>)> + '_ {
-        let first = self.first_result();
         let mut end = 0;
         self.measures.iter().filter_map(move |measure| {
             let numbers = end..end + measure.results();
             end = numbers.end;
             let is_always_there = matches!(measure, Measure::Energy | Measure::Momentum | Measure::Statistics);
             let is_of_output = !is_always_there && !matches!(measure, Measure::Account(_) | Measure::Path);
-            is_of_output.then(|| (self.variables[first + numbers.start].quantity.unit.as_str(), numbers))
+            is_of_output.then(|| (self.results[numbers.start].1.as_str(), numbers))
         })
     }
 
@@ -315,13 +314,7 @@ impl Table {
         &self.results[result].0
     }
 
-    /// The row of the first result: all rows behind it are results, in their order.
-    fn first_result(&self) -> usize {
-        let is_result = |source: &Source| matches!(source, Source::Result(_));
-        self.sources.iter().position(is_result).unwrap_or(self.sources.len())
-    }
-
-    /// Whether each result is a variable: those of the whole mechanism may be left out.
+    /// Whether each result is a variable: those of the whole mechanism may be left out, and ranges over time are none.
     pub fn shown_results(&self) -> Vec<bool> {
         let mut is_shown = vec![false; self.results.len()];
         for source in &self.sources {

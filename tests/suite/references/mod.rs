@@ -10,6 +10,7 @@ pub mod helix;
 pub mod lateral_buckling;
 pub mod polylines;
 pub mod princeton;
+mod range_graphs;
 pub mod released_cantilever;
 mod rigidities;
 mod rotating_blade;

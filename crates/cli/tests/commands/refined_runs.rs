@@ -86,3 +86,47 @@ fn rows_of_a_killed_repetition_are_cleared() {
     run(directory.path(), &[]);
     assert!(!next.exists());
 }
+
+/// The ranges along a beam are those of the rows of the run that is kept, also where the run is repeated with finer
+/// meshes; they have a chart on the page and no columns, and the next run without them removes them.
+#[test]
+fn ranges_are_those_of_the_last_run() {
+    let directory = tempfile::tempdir().unwrap();
+    let model = |summary: &str| {
+        format!(
+            "format = 1\n[model]\nname = \"Hit\"\n[material.steel]\nyoung = 2.1e11\npoisson = 0.3\ndensity = 7850\n\
+             [section.rod]\nshape = \"circle\"\nradius = 0.01\n\
+             [beam.arm]\nmaterial = \"steel\"\nsection = \"rod\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\n\
+             [joint.root]\ntype = \"weld\"\na = \"ground\"\nb = \"arm.start\"\n\
+             [load.hit]\nat = \"arm.end\"\nforce = [0, 0, \"20*sin(200*t)\"]\n\
+             [output.all]\non = \"arm\"\nstations = 3\nquantities = [\"velocity\"]\n\
+             [output.graph]\non = \"arm\"\nstations = 3\nquantities = [\"velocity\"]\n{summary}\n\
+             [simulation]\nstop = 0.2\noutput_step = 0.01\ntotals = []\naccuracy = 0.05\n"
+        )
+    };
+    let run = |summary: &str| {
+        fs::write(directory.path().join("m.toml"), model(summary)).unwrap();
+        let ran = ancf14(directory.path(), &["run", "m.toml", "-o", "out"]);
+        assert!(ran.status.success(), "{}", text(&ran.stderr));
+        text(&ran.stdout).to_owned()
+    };
+    let read = |name: &str| fs::read_to_string(directory.path().join("out").join(name)).unwrap();
+    let told = run("summary = \"range\"");
+    assert!(told.contains(" runs, "), "the run is repeated: {told}");
+    let (table, ranges) = (read("results.csv"), read("ranges.csv"));
+    assert!(!table.contains("graph."), "{table}");
+    let rows: Vec<Vec<f64>> =
+        table.lines().skip(1).map(|row| row.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+    for (k, line) in ranges.lines().skip(1).enumerate() {
+        let cells: Vec<&str> = line.split(',').collect();
+        assert_eq!(cells[..3], ["graph.velocity", &*format!("{}", k % 3 + 1), ["0", "0.5", "1"][k / 3]]);
+        let column = rows.iter().map(|row| row[k + 1]);
+        let [low, high] = [column.clone().fold(f64::INFINITY, f64::min), column.fold(f64::NEG_INFINITY, f64::max)];
+        assert_eq!([cells[3], cells[5]].map(|cell| cell.parse::<f64>().unwrap()), [low, high], "{line}");
+    }
+    assert_eq!(ranges.lines().count(), 10);
+    let page = read("index.html");
+    assert!(page.contains("href=\"ranges.csv\"") && page.contains(&read("graph.velocity.3.svg")));
+    run("");
+    assert!(!directory.path().join("out/ranges.csv").exists());
+}

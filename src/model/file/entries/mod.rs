@@ -32,6 +32,7 @@ pub mod section;
 pub mod simulation;
 pub mod spring;
 pub mod stop;
+mod summary;
 pub mod surface;
 pub mod switch;
 pub mod water;
@@ -122,13 +123,15 @@ parts! {
 }
 
 impl Parts {
-    /// Numbers that do not go together though each is allowed, with the reason.
-    pub(super) fn objections(&self, numbers: &Numbers) -> impl Iterator<Item = (Number, String)> {
+    /// Numbers that do not go together though each is allowed, in a run to `stop` s, with the reason.
+    pub(super) fn objections(&self, numbers: &Numbers, stop: f64) -> impl Iterator<Item = (Number, String)> {
         let sections = self.sections.iter().filter_map(|own| own.objection(|number| numbers.value(number)));
         let surfaces = self.surfaces.iter().filter_map(|own| own.objection(|number| numbers.value(number)));
         let foundations = self.foundations.iter().filter_map(|own| own.objection(numbers));
         let loads = self.loads.iter().filter_map(|own| own.objection(numbers));
-        sections.chain(surfaces).chain(foundations).chain(loads)
+        let begins = self.outputs.iter().filter_map(|own| own.range);
+        let summaries = begins.filter_map(move |from| summary::objection(from, numbers, stop));
+        sections.chain(surfaces).chain(foundations).chain(loads).chain(summaries)
     }
 }
 

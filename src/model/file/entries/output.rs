@@ -6,7 +6,9 @@ use super::acting::Acting;
 use super::joint::{self, Coordinate, JointKind, JointSpec};
 use super::namesakes::which;
 use super::section::Shape;
+use super::summary::{self, FROM, SUMMARIES};
 use crate::mechanics::marker::sensor::Facing;
+use crate::model::file::number::Number;
 use crate::model::file::quantity::{QUANTITIES, Quantity, Row, Site};
 use crate::model::file::reader::anchor::{Along, Anchor, OBSERVING, Spot, WATCHED};
 use crate::model::file::reader::{Reader, either, listing};
@@ -24,6 +26,8 @@ pub(super) const KEYS: &[Key] = &[
     Key::name("in", Role::Name(PLACES), "what the observer moves with"),
     Key::word("side", &words_of(&SIDES), "the side of a section at which something acts"),
     Key::word("quantities", &[], "what it measures: a list of words"),
+    Key::word("summary", &words_of(&SUMMARIES), "what its stations give instead of columns"),
+    Key::number(&[&FROM]),
 ];
 
 /// The sides of a section, as seen from the start of the beam.
@@ -50,6 +54,8 @@ pub struct OutputSpec {
     pub side: Facing,
     /// What is measured, in the order of the file; all of it can be measured there.
     pub quantities: Vec<Quantity>,
+    /// When the range over time begins that its stations give instead of columns, s; none: they give columns.
+    pub range: Option<Number>,
 }
 
 /// Somebody who moves with a part, the key `in`.
@@ -115,9 +121,13 @@ impl OutputSpec {
             reader.refuse("side", message, "no quantity of this output has sides");
         }
         let side = reader.word("side", &SIDES, Some(Facing::default())).unwrap_or_default();
+        if !matches!(target, None | Some(Target::On { .. })) {
+            summary::refuse(&mut reader);
+        }
+        let range = summary::read(&mut reader);
         let place = reader.place;
         reader.finish();
-        Some(Self { name: name.to_owned(), place, target: target?, observer, side, quantities })
+        Some(Self { name: name.to_owned(), place, target: target?, observer, side, quantities, range })
     }
 
     /// The number of its sensors: also what a joint transmits is seen from one, if somebody sees it who moves.

@@ -217,7 +217,9 @@ impl Simulation {
     /// The numbers of the results that `wanted` names; none: all quantities of outputs.
     fn linear_outputs(&self, wanted: Option<&[String]>) -> Result<Vec<usize>, Failure> {
         let Some(wanted) = wanted else {
-            return Ok(self.table.quantities().flat_map(|(_, numbers)| numbers).collect());
+            let is_shown = self.table.shown_results();
+            let numbers = self.table.quantities().flat_map(|(_, numbers)| numbers);
+            return Ok(numbers.filter(|number| is_shown[*number]).collect());
         };
         let is_followed = |name: &str| !["statistics.", "work.", "path."].iter().any(|total| name.starts_with(total));
         let shown = self.table.sources.iter().filter_map(|source| match source {
