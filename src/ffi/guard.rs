@@ -165,6 +165,16 @@ pub unsafe fn place<'a, T>(place: *mut T, argument: &'static str) -> Result<&'a 
     unsafe { place.as_mut() }.ok_or(Error::Null { argument })
 }
 
+/// Writes an answer.
+///
+/// # Safety
+/// Unless NULL, `target` points to a value that nobody else uses during the call.
+pub unsafe fn answer_to<T>(target: *mut T, argument: &'static str, value: T) -> Result<(), Error> {
+    // SAFETY: the caller's promise.
+    *unsafe { place(target, argument) }? = value;
+    Ok(())
+}
+
 /// Text from the host.
 ///
 /// # Safety

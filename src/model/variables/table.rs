@@ -414,5 +414,7 @@ fn result(name: &str, unit: &str, description: String, start: Value) -> Variable
         nominal: None,
         display_unit: None,
         found_from: None,
+        derivative_of: None,
+        follows_from: Vec::new(),
     }
 }
