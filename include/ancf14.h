@@ -3,7 +3,7 @@
  * Generated from src/ffi by cbindgen; do not edit. docs/programming.md shows how to use it.
  *
  * The functions ancf14_... run a model file: load, set parameters and inputs, initialize, advance, read. The functions fmi2... are those of
- * FMI 2.0 for co-simulation, for a packed model; their names and types are those of the standard's fmi2Functions.h: include either this
+ * FMI 2.0, for a packed model; their names and types are those of the standard's fmi2Functions.h: include either this
  * header or that one.
  *
  * Units: SI everywhere (m, kg, s, N, rad). Texts: UTF-8 that ends with a zero byte.
@@ -246,6 +246,36 @@ typedef int fmi2Integer;
 typedef unsigned int fmi2ValueReference;
 
 /*
+ The answer of `fmi2NewDiscreteStates`.
+ */
+typedef struct {
+  /*
+   Always false.
+   */
+  fmi2Boolean newDiscreteStatesNeeded;
+  /*
+   Always false.
+   */
+  fmi2Boolean terminateSimulation;
+  /*
+   Always false.
+   */
+  fmi2Boolean nominalsOfContinuousStatesChanged;
+  /*
+   Always false.
+   */
+  fmi2Boolean valuesOfContinuousStatesChanged;
+  /*
+   Always false.
+   */
+  fmi2Boolean nextEventTimeDefined;
+  /*
+   Not defined, s.
+   */
+  fmi2Real nextEventTime;
+} fmi2EventInfo;
+
+/*
  True.
  */
 #define fmi2True 1
@@ -256,12 +286,12 @@ typedef unsigned int fmi2ValueReference;
 #define fmi2False 0
 
 /*
- Not offered by this library.
+ The host integrates the states: of a linear system only.
  */
 #define fmi2ModelExchange 0
 
 /*
- What this library is for.
+ The unit takes the steps.
  */
 #define fmi2CoSimulation 1
 
@@ -777,6 +807,89 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component c,
                                         size_t nKnown,
                                         const fmi2Real *dvKnown,
                                         fmi2Real *dvUnknown);
+
+/*
+ Enters Event Mode, where inputs may jump (section 3.2.2).
+
+ # Safety
+ `c` is a live instance.
+ */
+fmi2Status fmi2EnterEventMode(fmi2Component c);
+
+/*
+ Says that no event follows: the unit has none of its own (section 3.2.2).
+
+ # Safety
+ `c` is a live instance; `eventInfo` can be written to.
+ */
+fmi2Status fmi2NewDiscreteStates(fmi2Component c, fmi2EventInfo *eventInfo);
+
+/*
+ Enters Continuous-Time Mode (section 3.2.2).
+
+ # Safety
+ `c` is a live instance.
+ */
+fmi2Status fmi2EnterContinuousTimeMode(fmi2Component c);
+
+/*
+ Takes note of a completed step of the host's solver: no event follows (section 3.2.2).
+
+ # Safety
+ `c` is a live instance; both answers can be written to.
+ */
+fmi2Status fmi2CompletedIntegratorStep(fmi2Component c,
+                                       fmi2Boolean noSetFMUStatePriorToCurrentPoint,
+                                       fmi2Boolean *enterEventMode,
+                                       fmi2Boolean *terminateSimulation);
+
+/*
+ Sets the time, s (section 3.2.1).
+
+ # Safety
+ `c` is a live instance.
+ */
+fmi2Status fmi2SetTime(fmi2Component c, fmi2Real time);
+
+/*
+ Sets the states: all of them, or none if one is refused (section 3.2.1).
+
+ # Safety
+ `c` is a live instance; `x` has `nx` elements.
+ */
+fmi2Status fmi2SetContinuousStates(fmi2Component c, const fmi2Real *x, size_t nx);
+
+/*
+ Reads the derivatives of the states by time (section 3.2.2).
+
+ # Safety
+ `c` is a live instance; `derivatives` has `nx` elements.
+ */
+fmi2Status fmi2GetDerivatives(fmi2Component c, fmi2Real *derivatives, size_t nx);
+
+/*
+ There are no event indicators: an error unless `ni` is 0 (section 3.2.2).
+
+ # Safety
+ `c` is a live instance.
+ */
+fmi2Status fmi2GetEventIndicators(fmi2Component c, fmi2Real *eventIndicators, size_t ni);
+
+/*
+ Reads the states (section 3.2.2).
+
+ # Safety
+ `c` is a live instance; `x` has `nx` elements.
+ */
+fmi2Status fmi2GetContinuousStates(fmi2Component c, fmi2Real *x, size_t nx);
+
+/*
+ Reads the orders of magnitude of the states, which never change (section 3.2.2).
+
+ # Safety
+ `c` is a live instance; `x_nominal` has `nx` elements.
+ */
+fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real *x_nominal, size_t nx);
 
 #ifdef __cplusplus
 }  // extern "C"

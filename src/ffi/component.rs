@@ -108,11 +108,23 @@ pub struct Component<M: Model> {
 }
 
 impl<M: Model> Component<M> {
-    /// A new component of a loaded model; its first log lines go to the host.
+    /// A new component of a loaded model, for co-simulation; its first log lines go to the host.
     pub fn new(model: M, host: Host, logging_on: bool) -> Self {
-        let mut component = Self { instance: Instance::of(host.standard(), model, logging_on), host };
-        component.report();
-        component
+        Self { instance: Instance::of(host.standard(), model, logging_on), host }.reported()
+    }
+
+    /// A new component for Model Exchange.
+    ///
+    /// # Errors
+    /// The model is for co-simulation only.
+    pub fn for_model_exchange(model: M, host: Host, logging_on: bool) -> Result<Self, Error> {
+        let instance = Instance::for_model_exchange(host.standard(), model, logging_on)?;
+        Ok(Self { instance, host }.reported())
+    }
+
+    fn reported(mut self) -> Self {
+        self.report();
+        self
     }
 
     /// Hands the instance's log lines to the host. FMI 3.0 forbids all but errors where a category is switched off

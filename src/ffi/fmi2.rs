@@ -1,4 +1,5 @@
-//! The functions of fmi2Functions.h for co-simulation, except those on values and derivatives ([`super::fmi2_values`]).
+//! The functions of fmi2Functions.h, except those on values and derivatives ([`super::fmi2_values`]) and those that
+//! Model Exchange adds ([`super::fmi2_exchange`]).
 //!
 //! A live instance, in what follows, comes from `fmi2Instantiate`, was not freed, and is not in use on another thread.
 //! NULL is answered with an error.
@@ -97,7 +98,12 @@ pub unsafe extern "C" fn fmi2Instantiate(
     let made = guard::caught(|| {
         // SAFETY: the caller's promise.
         let model = unsafe { instantiate(name, fmuType, fmuGUID, fmuResourceLocation) }?;
-        Ok(Component::new(model, host.clone(), loggingOn != fmi2False).into_handle())
+        let logging_on = loggingOn != fmi2False;
+        let component = match fmuType == fmi2ModelExchange {
+            true => Component::for_model_exchange(model, host.clone(), logging_on)?,
+            false => Component::new(model, host.clone(), logging_on),
+        };
+        Ok(component.into_handle())
     });
     made.unwrap_or_else(|message| Err(Error::Fault { message })).unwrap_or_else(|error| {
         host.log(error.status(), error.category(), &format!("fmi2Instantiate: {error}"));
@@ -114,8 +120,8 @@ unsafe fn instantiate(name: &CStr, kind: fmi2Type, guid: fmi2String, resources: 
     if name.to_bytes().trim_ascii().is_empty() {
         return refused("the instance name is NULL or blank; pass a name that is unique in the simulation");
     }
-    if kind != fmi2CoSimulation {
-        return refused("this unit is for co-simulation only; pass fmi2CoSimulation as fmuType");
+    if ![fmi2ModelExchange, fmi2CoSimulation].contains(&kind) {
+        return refused("fmuType is neither fmi2ModelExchange nor fmi2CoSimulation; pass one of them");
     }
     // SAFETY: the caller's promise.
     let guid = unsafe { text(guid, "fmuGUID") }?;

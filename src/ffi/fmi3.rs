@@ -1,6 +1,6 @@
-//! The functions of fmi3Functions.h for co-simulation, except those on values and derivatives ([`super::fmi3_values`]),
-//! on types that no variable has ([`super::fmi3_other_types`]), and what this library does not offer
-//! ([`super::fmi3_absent`]).
+//! The functions of fmi3Functions.h, except those on values and derivatives ([`super::fmi3_values`]), on types that no
+//! variable has ([`super::fmi3_other_types`]), those of Model Exchange ([`super::fmi3_exchange`]), and those that this
+//! library does not offer ([`super::fmi3_absent`]).
 //!
 //! A live instance, in what follows, comes from `fmi3InstantiateCoSimulation`, was not freed, and is not in use on
 //! another thread. NULL is answered with an error.
@@ -95,9 +95,15 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
         intermediate_update: intermediateUpdate,
         early_return_allowed: earlyReturnAllowed != fmi3False,
     });
-    let made = guard::caught(|| {
+    made("fmi3InstantiateCoSimulation", &host, || {
+        if eventModeUsed != fmi3False {
+            return Err(Error::Instantiate(String::from(
+                "eventModeUsed is true, but this unit has no Event Mode in co-simulation; pass fmi3False, as \
+                 hasEventMode says",
+            )));
+        }
         // SAFETY: the caller's promise.
-        let model = unsafe { instantiate(instanceName, instantiationToken, resourcePath, eventModeUsed) }?;
+        let model = unsafe { instantiate(instanceName, instantiationToken, resourcePath) }?;
         let mut component = Component::new(model, host.clone(), loggingOn != fmi3False);
         // SAFETY: the caller's promise.
         let required = unsafe {
@@ -105,10 +111,19 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
         }?;
         component.instance.require_between(required);
         component.report();
-        Ok(component.into_handle())
-    });
+        Ok(component)
+    })
+}
+
+/// The handle of a component; NULL with a log line if there is none.
+pub(super) fn made(
+    function: &str,
+    host: &Host,
+    make: impl FnOnce() -> Result<Component<Packed>, Error>,
+) -> fmi3Instance {
+    let made = guard::caught(|| make().map(Component::into_handle));
     made.unwrap_or_else(|message| Err(Error::Fault { message })).unwrap_or_else(|error| {
-        host.log(error.status(), error.category(), &format!("fmi3InstantiateCoSimulation: {error}"));
+        host.log(error.status(), error.category(), &format!("{function}: {error}"));
         null_mut()
     })
 }
@@ -117,20 +132,12 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
 ///
 /// # Safety
 /// The texts are NULL or end with a zero byte.
-unsafe fn instantiate(
-    name: fmi3String,
-    token: fmi3String,
-    resources: fmi3String,
-    eventModeUsed: fmi3Boolean,
-) -> Result<Packed, Error> {
+pub(super) unsafe fn instantiate(name: fmi3String, token: fmi3String, resources: fmi3String) -> Result<Packed, Error> {
     let refused = |reason: &str| Err(Error::Instantiate(reason.to_owned()));
     // SAFETY: the caller's promise.
     let name = if name.is_null() { c"" } else { unsafe { CStr::from_ptr(name) } };
     if name.to_bytes().trim_ascii().is_empty() {
         return refused("the instance name is NULL or blank; pass a name that is unique in the simulation");
-    }
-    if eventModeUsed != fmi3False {
-        return refused("eventModeUsed is true, but this unit has no Event Mode; pass fmi3False, as hasEventMode says");
     }
     // SAFETY: the caller's promise.
     let token = unsafe { text(token, "instantiationToken") }?;
@@ -172,7 +179,7 @@ pub unsafe extern "C" fn fmi3EnterInitializationMode(
     }
 }
 
-/// Finds the initial state and leaves Initialization Mode, to Step Mode (section 2.3.3).
+/// Finds the initial state and leaves Initialization Mode, to Step Mode or Event Mode (section 2.3.3).
 ///
 /// # Safety
 /// `instance` is a live instance.

@@ -45,6 +45,21 @@ pub unsafe fn run<M: Model>(
     call: Call,
     body: impl FnOnce(&mut Instance<M>) -> Result<(), Error>,
 ) -> Status {
+    let mut body = Some(body);
+    let mut once = |instance: &mut Instance<M>| body.take().map_or(Ok(()), |body| body(instance));
+    // SAFETY: the caller's promise.
+    unsafe { run_any(standard, handle, call, &mut once) }
+}
+
+/// The body of a function, whichever.
+type Body<'a, M> = &'a mut dyn FnMut(&mut Instance<M>) -> Result<(), Error>;
+
+/// [`run`], compiled once for all functions: a guard of its own for each would take two kilobytes.
+///
+/// # Safety
+/// As [`run`].
+#[inline(never)]
+unsafe fn run_any<M: Model>(standard: Standard, handle: *mut c_void, call: Call, body: Body<'_, M>) -> Status {
     // SAFETY: the caller's promise.
     let Some(component) = (unsafe { Component::<M>::behind(handle) }) else {
         return Status::Error;
@@ -83,12 +98,7 @@ pub(super) fn caught<R>(body: impl FnOnce() -> R) -> Result<R, String> {
     catch_unwind(AssertUnwindSafe(body)).map_err(|payload| fault::message(payload.as_ref()))
 }
 
-fn answer<M: Model>(
-    component: &mut Component<M>,
-    standard: Standard,
-    call: Call,
-    body: impl FnOnce(&mut Instance<M>) -> Result<(), Error>,
-) -> Status {
+fn answer<M: Model>(component: &mut Component<M>, standard: Standard, call: Call, body: Body<'_, M>) -> Status {
     let (mode, time) = (component.instance.mode(), component.instance.time());
     let outcome = match component.instance.standard() {
         own if own == standard => body(&mut component.instance),
@@ -163,6 +173,16 @@ fn check_array<T>(start: *const T, count: usize, argument: &'static str) -> Resu
 pub unsafe fn place<'a, T>(place: *mut T, argument: &'static str) -> Result<&'a mut T, Error> {
     // SAFETY: the caller's promise.
     unsafe { place.as_mut() }.ok_or(Error::Null { argument })
+}
+
+/// Writes an answer.
+///
+/// # Safety
+/// Unless NULL, `target` points to a value that nobody else uses during the call.
+pub unsafe fn answer_to<T>(target: *mut T, argument: &'static str, value: T) -> Result<(), Error> {
+    // SAFETY: the caller's promise.
+    *unsafe { place(target, argument) }? = value;
+    Ok(())
 }
 
 /// Text from the host.

@@ -1,6 +1,6 @@
-//! The C ABI, that of FMI 2.0 and 3.0 for co-simulation and that of the library's own functions: the only unsafe code.
+//! The C ABI, that of FMI 2.0 and 3.0 and that of the library's own functions: the only unsafe code.
 //!
-//! [`types`] names C types as FMI 2.0 does, [`fmi2`] and [`fmi2_values`] export its functions, three lines each:
+//! [`types`] names C types as FMI 2.0 does, [`fmi2`] and its siblings export its functions, three lines each:
 //! borrow, call safe code, translate; [`fmi3_types`], [`fmi3`] and its siblings do the same for FMI 3.0; [`front`]
 //! with [`front_types`] do the same for [`crate::Simulation`]. [`guard`] checks pointers, catches panics, logs and
 //! makes the status; [`component`] and `front_handle` are what a program holds. Nothing here is kept outside of
@@ -12,9 +12,11 @@ pub mod component;
 mod fault;
 mod float_environment;
 pub mod fmi2;
+pub mod fmi2_exchange;
 pub mod fmi2_values;
 pub mod fmi3;
 pub mod fmi3_absent;
+pub mod fmi3_exchange;
 pub mod fmi3_other_types;
 pub mod fmi3_types;
 pub mod fmi3_values;

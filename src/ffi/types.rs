@@ -34,9 +34,9 @@ pub type fmi2StatusKind = c_int;
 pub const fmi2True: fmi2Boolean = 1;
 /// False.
 pub const fmi2False: fmi2Boolean = 0;
-/// Not offered by this library.
+/// The host integrates the states: of a linear system only.
 pub const fmi2ModelExchange: fmi2Type = 0;
-/// What this library is for.
+/// The unit takes the steps.
 pub const fmi2CoSimulation: fmi2Type = 1;
 /// For `fmi2GetStatus`.
 pub const fmi2DoStepStatus: fmi2StatusKind = 0;
@@ -121,4 +121,22 @@ pub struct fmi2CallbackFunctions {
     pub stepFinished: fmi2StepFinished,
     /// Handed back with every callback.
     pub componentEnvironment: fmi2ComponentEnvironment,
+}
+
+/// The answer of `fmi2NewDiscreteStates`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct fmi2EventInfo {
+    /// Always false.
+    pub newDiscreteStatesNeeded: fmi2Boolean,
+    /// Always false.
+    pub terminateSimulation: fmi2Boolean,
+    /// Always false.
+    pub nominalsOfContinuousStatesChanged: fmi2Boolean,
+    /// Always false.
+    pub valuesOfContinuousStatesChanged: fmi2Boolean,
+    /// Always false.
+    pub nextEventTimeDefined: fmi2Boolean,
+    /// Not defined, s.
+    pub nextEventTime: fmi2Real,
 }

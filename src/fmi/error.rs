@@ -4,7 +4,7 @@
 
 use super::{
     Failure, LogCategory, Status,
-    lifecycle::{Illegal, Mode},
+    lifecycle::{Illegal, Kind, Mode},
 };
 
 /// Why a call or a header failed.
@@ -82,14 +82,15 @@ pub enum Error {
     },
     /// The unknown is not calculated in Initialization Mode.
     #[error(
-        "`{name}` is not calculated; in Initialization Mode derivatives are those of outputs and calculated parameters"
+        "`{name}` is not calculated; here derivatives are those of outputs, of calculated parameters and of rates of \
+         states"
     )]
     NotCalculated {
         /// Its name.
         name: String,
     },
     /// The known cannot be set in Initialization Mode.
-    #[error("`{name}` cannot be set; in Initialization Mode derivatives are taken by inputs and parameters")]
+    #[error("`{name}` cannot be set; here derivatives are taken with respect to inputs, parameters and states")]
     NotGiven {
         /// Its name.
         name: String,
@@ -167,6 +168,26 @@ pub enum Error {
     Result {
         /// Its name.
         name: String,
+    },
+    /// A state was set where nobody integrates it.
+    #[error(
+        "state {name} can be set before the end of the initialization, and in Continuous-Time Mode of Model Exchange; \
+         set it there, or go back to an FMU state"
+    )]
+    State {
+        /// Its name.
+        name: String,
+    },
+    /// As many values as states, or as event indicators, are needed.
+    #[error(
+        "the call is for {given} states or event indicators, and this unit has {needed}; take the number from \
+         modelDescription.xml"
+    )]
+    StatesDiffer {
+        /// How many there are.
+        needed: usize,
+        /// How many are passed.
+        given: usize,
     },
     /// A fixed parameter was set too late.
     #[error(
@@ -261,6 +282,17 @@ pub enum Error {
         theirs: String,
         /// GUID of this model.
         own: String,
+    },
+    /// An FMU state of the other kind of instances.
+    #[error(
+        "the FMU state is of an instance for {theirs}, and this instance is for {own}; use states of instances of its \
+         kind"
+    )]
+    OtherKind {
+        /// The kind that the state belongs to.
+        theirs: Kind,
+        /// The kind of this instance.
+        own: Kind,
     },
     /// Bytes that are no serialized state.
     #[error(

@@ -7,6 +7,7 @@
 
 mod dependencies;
 mod derivatives;
+mod exchange;
 mod fmi3;
 pub mod serialized;
 mod state;
@@ -20,7 +21,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     Failure, LogCategory, Model, Status, Value, arrays,
     error::Error,
-    lifecycle::{self, Call, Mode, Standard},
+    lifecycle::{self, Call, Kind, Mode, Standard},
     log::{Entry, Switch},
 };
 
@@ -32,6 +33,7 @@ const TIME_TOLERANCE: f64 = 1e-9;
 pub struct Instance<M: Model> {
     model: M,
     standard: Standard,
+    kind: Kind,
     control: Control,
     /// The logging switch of the instantiation, which a reset goes back to.
     first_logging: Switch,
@@ -101,7 +103,7 @@ impl<M: Model> Instance<M> {
         Self::of(Standard::Fmi2, model, logging_on)
     }
 
-    /// A new instance of a model just loaded, for hosts of a version of the standard.
+    /// A new instance of a model just loaded, for co-simulation by hosts of a version of the standard.
     pub fn of(standard: Standard, model: M, logging_on: bool) -> Self {
         let logging = Switch::new(logging_on);
         let variables = model.variables();
@@ -117,6 +119,7 @@ impl<M: Model> Instance<M> {
         let mut instance = Self {
             model,
             standard,
+            kind: Kind::CoSimulation,
             control,
             first_logging: logging,
             entries: Vec::new(),
@@ -157,7 +160,7 @@ impl<M: Model> Instance<M> {
     pub fn time(&self) -> f64 {
         match self.control.mode {
             Mode::Instantiated | Mode::Initialization => self.control.start,
-            Mode::Step | Mode::Terminated | Mode::Error | Mode::Fatal | Mode::Update => self.model.time(),
+            _ => self.model.time(),
         }
     }
 
@@ -182,7 +185,7 @@ impl<M: Model> Instance<M> {
     /// # Errors
     /// It is not.
     pub fn check(&self, call: Call) -> Result<(), Error> {
-        Ok(lifecycle::check(self.standard, call, self.control.mode)?)
+        Ok(lifecycle::check(self.standard, self.kind, call, self.control.mode)?)
     }
 
     /// Switches debug messages; no category named means all (section 2.1.5). Unknown names are warned of and left out.
@@ -258,7 +261,10 @@ impl<M: Model> Instance<M> {
     pub fn exit_initialization_mode(&mut self) -> Result<(), Error> {
         self.check(Call::ExitInitializationMode)?;
         self.solve_initial_state()?;
-        self.control.mode = Mode::Step;
+        self.control.mode = match self.kind {
+            Kind::CoSimulation => Mode::Step,
+            Kind::ModelExchange => Mode::Event,
+        };
         let start = self.control.start;
         self.event(|| format!("initialized at t = {start} s"));
         Ok(())

@@ -1,9 +1,10 @@
-//! The modes of a co-simulation unit, and which call is legal in which mode: the table of FMI 2.0 (section 4.2.4) is
-//! here, that of FMI 3.0 in [`fmi3`].
+//! The modes of a unit, and which call is legal in which mode: the table of FMI 2.0 for co-simulation (section 4.2.4)
+//! is here, that of FMI 3.0 in [`fmi3`], and that of both for Model Exchange in [`exchange`].
 //!
 //! Steps are synchronous and never discarded, so the modes stepInProgress, stepFailed and stepCanceled of FMI 2.0 do
 //! not occur.
 
+pub mod exchange;
 pub mod fmi3;
 
 use serde::{Deserialize, Serialize};
@@ -28,6 +29,24 @@ impl Standard {
     }
 }
 
+/// The purpose of an instance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Co-simulation: the unit takes the steps.
+    CoSimulation,
+    /// Model Exchange: the host integrates the states.
+    ModelExchange,
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::CoSimulation => "co-simulation",
+            Self::ModelExchange => "Model Exchange",
+        })
+    }
+}
+
 /// Where an instance stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Mode {
@@ -45,10 +64,14 @@ pub enum Mode {
     Fatal,
     /// Intermediate Update Mode of FMI 3.0: between two internal steps of a communication step.
     Update,
+    /// Event Mode of Model Exchange.
+    Event,
+    /// Continuous-Time Mode of Model Exchange.
+    ContinuousTime,
 }
 
 impl Mode {
-    /// All modes of FMI 2.0, in the order of the table's columns.
+    /// All modes of FMI 2.0 for co-simulation, in the order of the table's columns.
     pub const ALL: [Self; 6] =
         [Self::Instantiated, Self::Initialization, Self::Step, Self::Terminated, Self::Error, Self::Fatal];
 }
@@ -63,6 +86,8 @@ impl fmt::Display for Mode {
             Self::Error => "after a failed step",
             Self::Fatal => "after an internal fault",
             Self::Update => "in Intermediate Update Mode",
+            Self::Event => "in Event Mode",
+            Self::ContinuousTime => "in Continuous-Time Mode",
         })
     }
 }
@@ -154,7 +179,11 @@ pub enum Call {
 
 impl fmt::Display for Call {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "fmi2{self:?}")
+        match self {
+            Self::UpdateDiscreteStates => f.write_str("fmi2NewDiscreteStates"),
+            Self::GetContinuousStateDerivatives => f.write_str("fmi2GetDerivatives"),
+            other => write!(f, "fmi2{other:?}"),
+        }
     }
 }
 
@@ -206,6 +235,8 @@ pub const TABLE: [(Call, &str); 31] = [
 pub struct Illegal {
     /// The standard whose function it is.
     pub standard: Standard,
+    /// The kind of the instance.
+    pub kind: Kind,
     /// The call.
     pub call: Call,
     /// The mode it came in.
@@ -216,32 +247,43 @@ pub struct Illegal {
 ///
 /// # Errors
 /// The table has a dot there, or the standard has no such mode.
-pub fn check(standard: Standard, call: Call, mode: Mode) -> Result<(), Illegal> {
-    let row = match standard {
-        Standard::Fmi2 => TABLE.get(call as usize).map_or("", |(_, row)| row),
-        Standard::Fmi3 => fmi3::row(call),
+pub fn check(standard: Standard, kind: Kind, call: Call, mode: Mode) -> Result<(), Illegal> {
+    let mark = match (kind, standard) {
+        (Kind::ModelExchange, _) => exchange::mark(call, mode),
+        (Kind::CoSimulation, Standard::Fmi2) => TABLE.get(call as usize).and_then(|(_, row)| column(row, mode)),
+        (Kind::CoSimulation, Standard::Fmi3) => column(fmi3::row(call), mode),
     };
-    match row.as_bytes().get(mode as usize) {
-        None | Some(b'.') => Err(Illegal { standard, call, mode }),
+    match mark {
+        None | Some(b'.') => Err(Illegal { standard, kind, call, mode }),
         Some(_) => Ok(()),
     }
 }
 
+/// The mark of a mode in a row.
+fn column(row: &str, mode: Mode) -> Option<u8> {
+    row.as_bytes().get(mode as usize).copied()
+}
+
 impl Illegal {
     fn reason(self) -> String {
-        let Self { standard, call, mode } = self;
-        if standard == Standard::Fmi3
-            && mode != Mode::Fatal
-            && let Some(reason) = fmi3::never(call)
-        {
-            return format!("not offered: {reason}");
+        match self.never().filter(|_| self.mode != Mode::Fatal) {
+            Some(reason) => format!("not offered: {reason}"),
+            None => format!("not allowed now; {}", self.way_out()),
         }
-        format!("not allowed now; {}", self.way_out())
+    }
+
+    /// Why no mode of such an instance allows the call; none: some mode does.
+    fn never(self) -> Option<&'static str> {
+        match (self.kind, self.standard) {
+            (Kind::ModelExchange, _) => exchange::never(self.call),
+            (Kind::CoSimulation, Standard::Fmi2) if (self.call as usize) < TABLE.len() => None,
+            (Kind::CoSimulation, _) => fmi3::never(self.call),
+        }
     }
 
     /// What a host can do after an illegal call.
     fn way_out(self) -> String {
-        let Self { standard, call, mode } = self;
+        let Self { standard, call, mode, .. } = self;
         let name = |call| standard.name(call);
         let (enter, exit) = (Call::EnterInitializationMode, Call::ExitInitializationMode);
         match (call, mode) {
@@ -266,7 +308,11 @@ impl Illegal {
                 format!("it comes once, right after instantiation; {} starts over", name(Call::Reset))
             }
             (_, Mode::Initialization) => format!("call {} first", name(exit)),
-            (_, Mode::Step) => format!("the initialization is done; {} starts over", name(Call::Reset)),
+            (_, Mode::Step) | (Call::ExitInitializationMode, _) => {
+                format!("the initialization is done; {} starts over", name(Call::Reset))
+            }
+            (_, Mode::Event) => format!("call {} first", name(Call::EnterContinuousTimeMode)),
+            (_, Mode::ContinuousTime) => format!("call {} first", name(Call::EnterEventMode)),
         }
     }
 }

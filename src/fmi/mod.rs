@@ -1,10 +1,12 @@
-//! The FMI half, 2.0 and 3.0 for co-simulation: variables, calling table, instance, C header. No mechanics.
+//! The FMI half, 2.0 and 3.0, for co-simulation and Model Exchange: variables, calling tables, instance, C header. No
+//! mechanics.
 //!
 //! [`Model`] is the whole of what this half asks of the other one. What a host calls goes to an
 //! [`instance::Instance`]. A packed unit is made from [`About`] and the variable table, by the package of
 //! `crates/pack`.
 
 pub mod arrays;
+pub mod continuous;
 pub mod error;
 pub mod header;
 pub mod identifier;
@@ -15,6 +17,7 @@ pub mod log;
 pub mod unit;
 pub mod variable;
 
+use continuous::Continuous;
 use variable::Variable;
 
 /// What a call reports, in the order of severity of `fmi2Status`. A step is never pending.
@@ -221,12 +224,17 @@ pub trait Model: Sized {
     fn partial_derivative(&mut self, output: usize, input: usize) -> Result<f64, Failure>;
 
     /// The derivative of the initial value of `unknown`, a Real that is calculated, by the value of `known`, a Real
-    /// that can be set; 0, with a warning, where `known` cannot begin at another value. The initial state is found
-    /// already.
+    /// that can be set; in Model Exchange that of its value at any instant; 0, with a warning, where `known` cannot
+    /// begin at another value. The initial state is found already.
     ///
     /// # Errors
     /// The initial state with another value of `known` cannot be found.
     fn initial_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure>;
+
+    /// The model as Model Exchange needs it; none: it is for co-simulation only.
+    fn continuous(&mut self) -> Option<&mut dyn Continuous> {
+        None
+    }
 
     /// The run has ended: [`Self::take_warnings`] then has what should be known of it as a whole.
     fn conclude(&mut self);

@@ -28,9 +28,18 @@ pub struct Variable {
     /// Where the initialization calculates it: the inputs and parameters that it is found from, or more, by value
     /// references, ascending; none: all of them.
     pub found_from: Option<Vec<usize>>,
+    /// Model Exchange: the state whose derivative by time it is.
+    pub derivative_of: Option<usize>,
+    /// Model Exchange: the inputs and states that it depends on at one instant, by value references, ascending.
+    pub follows_from: Vec<usize>,
 }
 
 impl Variable {
+    /// Whether it is a continuous state, which a host may integrate.
+    pub fn is_state(&self) -> bool {
+        self.causality == Causality::Local && self.derivative_of.is_none()
+    }
+
     /// FMI 2.0's name of its type.
     pub fn type_name(&self) -> &'static str {
         match self.start {
@@ -65,6 +74,8 @@ pub enum Causality {
     Input,
     /// A result.
     Output,
+    /// A continuous state, or its derivative by time.
+    Local,
     /// The independent variable.
     Independent,
 }
@@ -77,6 +88,7 @@ impl Causality {
             Self::CalculatedParameter => "calculatedParameter",
             Self::Input => "input",
             Self::Output => "output",
+            Self::Local => "local",
             Self::Independent => "independent",
         }
     }

@@ -42,6 +42,8 @@ pub struct File {
     pub inputs: Vec<Signal>,
     /// Outputs.
     pub outputs: Vec<Signal>,
+    /// Meanings of the states; empty: they are not known.
+    pub states: Vec<String>,
     /// `A`.
     pub a: Matrix,
     /// `B`.
@@ -67,6 +69,8 @@ impl Signal {
             nominal: self.nominal,
             display_unit: self.display_unit.clone(),
             found_from,
+            derivative_of: None,
+            follows_from: Vec::new(),
         }
     }
 }
@@ -91,6 +95,10 @@ impl File {
             }
         }
         writeln!(text, "stop = {stop:?}\noutput_step = {output_step:?}\ntolerance = {tolerance:?}")?;
+        if !self.states.is_empty() {
+            let states: Vec<String> = self.states.iter().map(|state| quoted(state)).collect();
+            writeln!(text, "states = [{}]", states.join(", "))?;
+        }
         for (name, matrix) in [("a", &self.a), ("b", &self.b), ("c", &self.c), ("d", &self.d)] {
             writeln!(text, "{name} = [")?;
             for row in 0..matrix.rows {
@@ -198,6 +206,7 @@ impl<'a, 'b> Reader<'a, 'b> {
             about,
             inputs,
             outputs,
+            states: self.states(order)?,
         })
     }
 
@@ -255,6 +264,19 @@ impl<'a, 'b> Reader<'a, 'b> {
             })
         };
         self.list(key)?.iter().map(signal).collect()
+    }
+
+    /// The meanings of the states, where the file has them.
+    fn states(&self, order: usize) -> Result<Vec<String>, String> {
+        if self.value("states").is_none() {
+            return Ok(Vec::new());
+        }
+        let text = |item: &Spanned<DeValue<'_>>| match item.get_ref() {
+            DeValue::String(text) => Some(text.to_string()),
+            _ => None,
+        };
+        let states: Option<Vec<String>> = self.list("states")?.iter().map(text).collect();
+        states.filter(|states| states.len() == order).ok_or_else(|| format!("`states` is not a list of {order} texts"))
     }
 
     fn matrix(&self, key: &str, rows: usize, columns: usize) -> Result<Matrix, String> {

@@ -5,8 +5,10 @@
 //! in the state that the system is about are added. It begins in that state.
 //!
 //! As of the mechanism itself, outputs are those of the end of the last step, with the inputs that this step ends with:
-//! an input that is set at a communication point acts from the next step on.
+//! an input that is set at a communication point acts from the next step on. In Model Exchange a host integrates the
+//! states, and outputs are those of the instant.
 
+mod exchange;
 pub mod file;
 mod matrix;
 mod state;
@@ -16,8 +18,9 @@ pub use self::file::{File, MOST_STATES, Signal};
 pub use self::matrix::Matrix;
 pub use self::state::State;
 
-use self::system::{Stride, System};
-use crate::fmi::variable::{Causality, Variable};
+use self::system::{Known, Stride, System, Unknown};
+use crate::fmi::continuous::Continuous;
+use crate::fmi::variable::Variable;
 use crate::fmi::{About, Failure, LogCategory, Model, Value};
 
 /// The shortest step, as a share of the default communication step, and of the time.
@@ -39,6 +42,10 @@ pub struct Unit {
     ends: Vec<f64>,
     rest: Vec<f64>,
     changes: Vec<f64>,
+    /// Derivatives of the states by time, as evaluated last.
+    rates: Vec<f64>,
+    /// They and the outputs are those of the inputs and states as set.
+    settled: bool,
     /// Where the step ends that has begun but is not taken, s.
     end: Option<f64>,
 }
@@ -58,22 +65,19 @@ impl Unit {
     /// # Errors
     /// Its numbers are too large.
     pub fn new(file: File) -> Result<Self, Failure> {
-        let File { about, inputs, outputs, a, b, c, d } = file;
-        let given = inputs.iter().map(|signal| signal.variable(Causality::Input, None));
-        let found = outputs.iter().enumerate().map(|(row, signal)| {
-            let found_from = (0..inputs.len()).filter(|column| d.at(row, *column) != 0.0).collect();
-            signal.variable(Causality::Output, Some(found_from))
-        });
-        let variables = given.chain(found).collect();
-        let values = |signals: &[Signal]| signals.iter().map(|signal| signal.value).collect::<Vec<f64>>();
-        let (inputs, outputs) = (values(&inputs), values(&outputs));
+        let File { about, inputs, outputs, states, a, b, c, d } = file;
         let system = System::new(a, b, c, d).ok_or_else(|| {
             wrong(String::from("the linear system has numbers that are too large; pack the FMU again"))
         })?;
+        let variables = exchange::variables(&inputs, &outputs, &states, &system);
+        let values = |signals: &[Signal]| signals.iter().map(|signal| signal.value).collect::<Vec<f64>>();
+        let (inputs, outputs) = (values(&inputs), values(&outputs));
         let state = State::new(about.start, system.order(), &inputs, &outputs);
         Ok(Self {
             next: vec![0.0; system.order()],
             rest: vec![0.0; system.order()],
+            rates: vec![0.0; system.order()],
+            settled: false,
             ends: vec![0.0; inputs.len()],
             changes: vec![0.0; inputs.len()],
             about,
@@ -95,6 +99,16 @@ impl Unit {
         reference.checked_sub(self.inputs.len()).filter(|number| *number < self.outputs.len())
     }
 
+    /// The number of a state, of the derivative of a state.
+    fn state(&self, reference: usize) -> Option<usize> {
+        let first = self.inputs.len() + self.outputs.len();
+        reference.checked_sub(first).filter(|number| *number < self.system.order())
+    }
+
+    fn rate(&self, reference: usize) -> Option<usize> {
+        self.state(reference.checked_sub(self.system.order())?)
+    }
+
     fn output_named(&self, reference: usize) -> Result<usize, Failure> {
         self.output(reference).ok_or_else(|| wrong(format!("`{}` is no output", self.variables[reference].name)))
     }
@@ -111,18 +125,14 @@ impl Unit {
         difference(&mut self.changes, values, &self.inputs);
         let stride = Stride { state: z, inputs: &self.changes, rates: slopes, length };
         let taken = self.system.step(stride, [&mut self.next, &mut self.ends, &mut self.rest]);
-        let is_finite = taken && self.next.iter().all(|value| value.is_finite());
+        let is_finite = taken && self.system.are_finite(&self.next);
         for (end, (value, slope)) in self.ends.iter_mut().zip(values.iter().zip(slopes)) {
             *end = value + slope * length;
         }
         difference(&mut self.changes, &self.ends, &self.inputs);
         let (next, changes) = (&self.next, &self.changes);
-        let result = |row: usize| self.outputs[row] + self.system.output(row, next, changes);
-        let failure = match (0..self.outputs.len()).find(|row| !result(*row).is_finite()) {
-            None if is_finite => None,
-            row => Some(row.map_or("its state", |row| self.variables[self.inputs.len() + row].name.as_str())),
-        };
-        if let Some(name) = failure {
+        let too_large = self.too_large(next, changes);
+        if let Some(name) = too_large.or((!is_finite).then_some("its state")) {
             let failure = wrong(format!(
                 "{name} is too large for a number at t = {end} s: the motion of a linear system that is not stable \
                  grows without bound, or an input is far too large; end the run before, or set a reasonable value"
@@ -135,7 +145,15 @@ impl Unit {
         }
         std::mem::swap(&mut self.state.z, &mut self.next);
         self.state.arrive(end, length, &self.ends);
+        self.settled = false;
         Ok(())
+    }
+
+    /// An output of a state that is too large for a number.
+    fn too_large(&self, state: &[f64], changes: &[f64]) -> Option<&str> {
+        let result = |row: usize| self.outputs[row] + self.system.output(row, state, changes);
+        let row = (0..self.outputs.len()).find(|row| !result(*row).is_finite())?;
+        Some(&self.variables[self.inputs.len() + row].name)
     }
 }
 
@@ -156,18 +174,28 @@ impl Model for Unit {
     }
 
     fn value(&self, reference: usize) -> Value {
+        let state = |number: usize| self.state.z[number] * self.system.unit(number);
         let value = self.input(reference).map(|number| self.state.values[number]);
-        Value::Real(value.unwrap_or_else(|| self.state.outputs[reference - self.inputs.len()]))
+        let value = value.or_else(|| self.output(reference).map(|number| self.state.outputs[number]));
+        let value = value.or_else(|| self.state(reference).map(state));
+        Value::Real(value.unwrap_or_else(|| self.rate(reference).map_or(0.0, |number| self.rates[number])))
     }
 
     fn set_value(&mut self, reference: usize, value: Value) -> Result<(), Failure> {
         let name = &self.variables[reference].name;
-        match (self.input(reference), value) {
-            (Some(number), Value::Real(value)) if value.is_finite() => self.state.values[number] = value,
-            (Some(_), Value::Real(value)) => return Err(wrong(format!("`{name}` is {value}; set a finite number"))),
-            (Some(_), Value::Integer(_)) => return Err(wrong(format!("`{name}` is a Real, not an Integer"))),
-            (None, _) => return Err(wrong(format!("`{name}` is a result and cannot be set"))),
+        let Value::Real(value) = value else {
+            return Err(wrong(format!("`{name}` is a Real, not an Integer")));
+        };
+        let (list, number, value) = match (self.input(reference), self.state(reference)) {
+            (Some(number), _) => (&mut self.state.values, number, value),
+            (None, Some(number)) => (&mut self.state.z, number, value / self.system.unit(number)),
+            (None, None) => return Err(wrong(format!("`{name}` is a result and cannot be set"))),
+        };
+        if !value.is_finite() {
+            return Err(wrong(format!("`{name}` would be too large for a number; set a reasonable value")));
         }
+        list[number] = value;
+        self.settled = false;
         Ok(())
     }
 
@@ -187,18 +215,16 @@ impl Model for Unit {
 
     fn initialize(&mut self, start: f64) -> Result<(), Failure> {
         difference(&mut self.changes, &self.state.values, &self.inputs);
-        let zero = vec![0.0; self.system.order()];
-        let results =
-            (0..self.outputs.len()).map(|row| self.outputs[row] + self.system.output(row, &zero, &self.changes));
-        let results: Vec<f64> = results.collect();
-        if let Some(row) = results.iter().position(|result| !result.is_finite()) {
-            let name = &self.variables[self.inputs.len() + row].name;
+        if let Some(name) = self.too_large(&self.state.z, &self.changes) {
             return Err(wrong(format!(
-                "{name} is too large for a number: an input is far too large; set another value"
+                "{name} is too large for a number: an input or a state is far too large; set another value"
             )));
         }
+        let (z, changes) = (&self.state.z, &self.changes);
+        let result = |row: usize| self.outputs[row] + self.system.output(row, z, changes);
+        let results: Vec<f64> = (0..self.outputs.len()).map(result).collect();
         self.state.begin(start, &results);
-        self.end = None;
+        (self.end, self.settled) = (None, false);
         Ok(())
     }
 
@@ -257,9 +283,16 @@ impl Model for Unit {
     }
 
     fn initial_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure> {
-        let row = self.output_named(unknown)?;
-        let column = self.input(known).ok_or_else(|| wrong(String::from("results have derivatives by inputs only")))?;
-        Ok(self.system.direct().at(row, column))
+        let of = self.output(unknown).map(Unknown::Output).or_else(|| self.rate(unknown).map(Unknown::Rate));
+        let by = self.input(known).map(Known::Input).or_else(|| self.state(known).map(Known::State));
+        match (of, by) {
+            (Some(of), Some(by)) => Ok(self.system.slope(of, by)),
+            _ => Err(wrong(String::from("outputs and rates of states have derivatives by inputs and states only"))),
+        }
+    }
+
+    fn continuous(&mut self) -> Option<&mut dyn Continuous> {
+        Some(self)
     }
 
     fn conclude(&mut self) {}
@@ -270,7 +303,8 @@ impl Model for Unit {
 
     fn reset(&mut self) {
         self.state = State::new(self.about.start, self.system.order(), &self.inputs, &self.outputs);
-        self.end = None;
+        (self.end, self.settled) = (None, false);
+        self.rates.fill(0.0);
     }
 
     fn snapshot(&self) -> State {
@@ -279,7 +313,7 @@ impl Model for Unit {
 
     fn restore(&mut self, snapshot: &State) {
         self.state.clone_from(snapshot);
-        self.end = None;
+        (self.end, self.settled) = (None, false);
     }
 
     fn write(&self, snapshot: &State, bytes: Vec<u8>) -> Vec<u8> {

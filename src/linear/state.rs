@@ -37,10 +37,9 @@ impl State {
         }
     }
 
-    /// Begins at `time`, s, with the inputs as set and these results.
+    /// Begins at `time`, s, with the inputs and states as set and these results.
     pub(super) fn begin(&mut self, time: f64, outputs: &[f64]) {
         self.time = time;
-        self.z.fill(0.0);
         self.outputs.copy_from_slice(outputs);
         self.ends.copy_from_slice(&self.values);
         self.rates.fill(0.0);

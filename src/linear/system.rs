@@ -24,6 +24,8 @@ pub struct System {
     b: Matrix,
     c: Matrix,
     d: Matrix,
+    /// The units that the states are counted in.
+    units: Vec<f64>,
     /// The norm of `A`.
     norm: f64,
     /// The matrices of steps, the latest first.
@@ -48,14 +50,32 @@ pub struct Stride<'a> {
     pub length: f64,
 }
 
+/// A result at an instant.
+#[derive(Clone, Copy, Debug)]
+pub enum Unknown {
+    /// The derivative of a state by time.
+    Rate(usize),
+    /// An output.
+    Output(usize),
+}
+
+/// A value that results follow from.
+#[derive(Clone, Copy, Debug)]
+pub enum Known {
+    /// A state.
+    State(usize),
+    /// An input.
+    Input(usize),
+}
+
 impl System {
     /// The system of four matrices that fit; none: in coordinates of like size its numbers are not finite. The state
     /// has other units then, powers of two of the given ones.
     pub fn new(mut a: Matrix, mut b: Matrix, mut c: Matrix, d: Matrix) -> Option<Self> {
-        balance(&mut a, &mut b, &mut c);
+        let units = balance(&mut a, &mut b, &mut c);
         let norm = a.norm();
         let is_finite = norm.is_finite() && [&b, &c, &d].into_iter().all(Matrix::is_finite);
-        is_finite.then_some(Self { a, b, c, d, norm, steps: Vec::new() })
+        is_finite.then_some(Self { a, b, c, d, units, norm, steps: Vec::new() })
     }
 
     /// Number of states.
@@ -63,9 +83,32 @@ impl System {
         self.a.rows
     }
 
-    /// The part `D`.
-    pub fn direct(&self) -> &Matrix {
-        &self.d
+    /// The unit that a state is counted in here, a power of two of that of the given matrices.
+    pub fn unit(&self, state: usize) -> f64 {
+        self.units[state]
+    }
+
+    /// Whether states, or their derivatives, are numbers in the units of the given matrices too.
+    pub fn are_finite(&self, states: &[f64]) -> bool {
+        states.iter().zip(&self.units).all(|(state, unit)| (state * unit).is_finite())
+    }
+
+    /// The derivative at an instant of a rate of a state or of an output with respect to a state or an input.
+    pub fn slope(&self, of: Unknown, with_respect_to: Known) -> f64 {
+        match (of, with_respect_to) {
+            (Unknown::Rate(row), Known::State(column)) => {
+                self.a.at(row, column) * (self.units[row] / self.units[column])
+            }
+            (Unknown::Rate(row), Known::Input(column)) => self.b.at(row, column) * self.units[row],
+            (Unknown::Output(row), Known::State(column)) => self.c.at(row, column) / self.units[column],
+            (Unknown::Output(row), Known::Input(column)) => self.d.at(row, column),
+        }
+    }
+
+    /// The size of states in their units here at which the first output reaches its order of magnitude.
+    pub fn size(&self, outputs: impl Iterator<Item = f64>) -> f64 {
+        let row = |row: usize| (0..self.order()).map(|column| self.c.at(row, column).abs()).fold(0.0, f64::max);
+        outputs.enumerate().map(|(number, size)| size / row(number)).fold(f64::INFINITY, f64::min)
     }
 
     /// Takes a step, to `target`; false: it is too long for its matrices to be finite. Allocates nothing where the
@@ -184,11 +227,13 @@ impl Step {
 
 /// Counts the states in units, powers of two, that make rows and columns of `A` alike (Parlett and Reinsch 1969):
 /// without round-off, and with far fewer doublings for a mechanism whose rates are much larger than its motions.
-fn balance(a: &mut Matrix, b: &mut Matrix, c: &mut Matrix) {
+/// Returns the units.
+fn balance(a: &mut Matrix, b: &mut Matrix, c: &mut Matrix) -> Vec<f64> {
     let order = a.rows;
+    let mut units = vec![1.0; order];
     for _ in 0..ROUNDS {
         let mut is_done = true;
-        for number in 0..order {
+        for (number, unit) in units.iter_mut().enumerate() {
             let others = || (0..order).filter(|other| *other != number);
             let column: f64 = others().map(|other| a.at(other, number).abs()).sum();
             let row: f64 = others().map(|other| a.at(number, other).abs()).sum();
@@ -204,6 +249,7 @@ fn balance(a: &mut Matrix, b: &mut Matrix, c: &mut Matrix) {
             }
             if (grown + row) / factor < 0.95 * (column + row) {
                 is_done = false;
+                *unit *= factor;
                 for other in 0..order {
                     *a.at_mut(other, number) *= factor;
                 }
@@ -215,7 +261,8 @@ fn balance(a: &mut Matrix, b: &mut Matrix, c: &mut Matrix) {
             }
         }
         if is_done {
-            return;
+            break;
         }
     }
+    units
 }

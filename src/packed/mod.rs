@@ -2,6 +2,7 @@
 //!
 //! The resources tell which: a linear system has a file of its own. The functions of FMI stand on this type.
 
+use crate::fmi::continuous::Continuous;
 use crate::fmi::location::{LINEAR_FILE, MODEL_FILE};
 use crate::fmi::variable::Variable;
 use crate::fmi::{About, Failure, Model, Value};
@@ -149,6 +150,10 @@ impl Model for Packed {
 
     fn initial_derivative(&mut self, unknown: usize, known: usize) -> Result<f64, Failure> {
         ask!(self, model => model.initial_derivative(unknown, known))
+    }
+
+    fn continuous(&mut self) -> Option<&mut dyn Continuous> {
+        ask!(self, model => model.continuous())
     }
 
     fn conclude(&mut self) {

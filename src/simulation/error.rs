@@ -118,7 +118,7 @@ impl Error {
         match error {
             Told::Illegal(illegal) => match illegal.mode {
                 Mode::Instantiated | Mode::Initialization => Self::NotInitialized,
-                Mode::Step | Mode::Update => Self::Initialized,
+                Mode::Step | Mode::Update | Mode::Event | Mode::ContinuousTime => Self::Initialized,
                 Mode::Terminated => Self::Finished { time },
                 Mode::Error => Self::Stopped { time },
                 Mode::Fatal => Self::Fault { message: String::from("an earlier call failed") },

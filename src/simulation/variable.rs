@@ -65,7 +65,7 @@ impl Kind {
             (Causality::Parameter, _) => Self::Parameter,
             (Causality::CalculatedParameter, _) => Self::Calculated,
             (Causality::Input, _) => Self::Input,
-            (Causality::Output | Causality::Independent, _) => Self::Output,
+            (Causality::Output | Causality::Local | Causality::Independent, _) => Self::Output,
         }
     }
 }

@@ -29,12 +29,22 @@ COMBINATIONS = {
     ("calculatedParameter", "fixed"): "calculated", ("calculatedParameter", "tunable"): "calculated",
     ("input", "discrete"): None, ("input", "continuous"): None,
     ("output", "discrete"): "calculated", ("output", "continuous"): "calculated",
+    ("local", "continuous"): "exact",
     ("independent", "continuous"): None,
 }  # fmt: skip
 
 
 def variables(root):
     return root.findall("ModelVariables/ScalarVariable")
+
+
+def number_of_state(variable):
+    """The index of the state whose derivative it is; none: it is no derivative."""
+    return variable[0].get("derivative")
+
+
+def is_state(variable):
+    return variable.get("causality") == "local" and number_of_state(variable) is None
 
 
 def repeated(names):
@@ -74,7 +84,7 @@ def bounds(root):
             yield f"{name}: min {low} is above max {high}"
         if "start" in values and not low <= values["start"] <= high:
             yield f"{name}: start {values['start']} is not within {low} to {high}"
-        if ("start" in values) != (variable.get("causality") in ("parameter", "input")):
+        if ("start" in values) != (variable.get("causality") in ("parameter", "input") or is_state(variable)):
             yield f"{name}: start {values.get('start')} of a {variable.get('causality')}"
 
 
@@ -84,7 +94,7 @@ def combinations(root):
         kind = variable.get("causality"), variable.get("variability")
         if kind not in COMBINATIONS:
             yield f"{variable.get('name')}: {kind} do not go together"
-        elif variable.get("initial") != COMBINATIONS[kind]:
+        elif variable.get("initial") != ("calculated" if number_of_state(variable) else COMBINATIONS[kind]):
             yield f"{variable.get('name')}: {kind} with initial {variable.get('initial')}"
         if variable[0].tag != "Real" and variable.get("variability") == "continuous":
             yield f"{variable.get('name')}: a continuous {variable[0].tag}"
@@ -121,18 +131,23 @@ def units(root):
 
 
 def structure(root):
-    """Outputs are the outputs, each depending on nothing; InitialUnknowns are what is calculated at the start, in order."""
+    """Outputs are the outputs, each depending on nothing, but on inputs and states in Model Exchange; InitialUnknowns are what is calculated at the start, in order."""
     places = {
         "Outputs": [k for k, variable in enumerate(variables(root), start=1) if variable.get("causality") == "output"],
+        "Derivatives": [k for k, variable in enumerate(variables(root), start=1) if number_of_state(variable)],
         "InitialUnknowns": [k for k, variable in enumerate(variables(root), start=1) if variable.get("initial") == "calculated"],
     }
     for group, wanted in places.items():
         found = [int(unknown.get("index")) for unknown in root.findall(f"ModelStructure/{group}/Unknown")]
         if found != wanted:
             yield f"{group} differ from the variables at {sorted(set(found) ^ set(wanted)) or 'their order'}"
-    for unknown in root.findall("ModelStructure/Outputs/Unknown"):
-        if unknown.get("dependencies") != "":
-            yield f"output {unknown.get('index')} depends on {unknown.get('dependencies', 'everything')}"
+    states = {k for k, variable in enumerate(variables(root), start=1) if is_state(variable)}
+    if states != {int(number_of_state(variable)) for variable in variables(root) if number_of_state(variable)}:
+        yield "not every state has a derivative"
+    given = states | {k for k, variable in enumerate(variables(root), start=1) if variable.get("causality") == "input"} if states else set()
+    for unknown in root.findall("ModelStructure/Outputs/Unknown") + root.findall("ModelStructure/Derivatives/Unknown"):
+        if "dependencies" not in unknown.attrib or not set(map(int, unknown.get("dependencies").split())) <= given:
+            yield f"unknown {unknown.get('index')} depends on {unknown.get('dependencies', 'everything')}"
     outputs = set(places["Outputs"])
     for unknown in root.findall("ModelStructure/InitialUnknowns/Unknown"):
         if outputs & set(map(int, unknown.get("dependencies", "").split())):
@@ -163,8 +178,10 @@ def capabilities(root):
     for name in ["needsExecutionTool", "canBeInstantiatedOnlyOncePerProcess", "canRunAsynchronuously"]:
         if claims(name):
             yield f"{name} is claimed"
-    if root.find("ModelExchange") is not None:
-        yield "model exchange is claimed"
+    if (root.find("ModelExchange") is not None) != any(map(is_state, variables(root))):
+        yield "Model Exchange is claimed without states, or states without Model Exchange"
+    if root.find("ModelExchange") is not None and root.find("ModelExchange").get("modelIdentifier") != unit.get("modelIdentifier"):
+        yield "the two kinds have two libraries"
 
 
 def categories(root):

@@ -115,6 +115,7 @@ fn causality(causality: Causality) -> &'static str {
         Causality::CalculatedParameter => "calculated",
         Causality::Input => "input",
         Causality::Output => "output",
+        Causality::Local => "local",
         Causality::Independent => "independent",
     }
 }

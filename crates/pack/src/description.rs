@@ -9,8 +9,8 @@ use std::{borrow::Cow, collections::BTreeMap, io};
 use quick_xml::events::{BytesDecl, Event};
 
 use crate::elements::{
-    Attributes, DERIVATIVES, Xml, borrowed, check_model, clean, credits, default_experiment, empty, has_start, initial,
-    is_real, log_categories, nominal, parent, real, text, type_name, units,
+    Attributes, DERIVATIVES, Xml, borrowed, check_model, clean, credits, default_experiment, empty, has_start,
+    has_states, initial, is_real, log_categories, nominal, parent, real, structure_note, text, type_name, units,
 };
 use crate::error::Error;
 use ancf14::fmi::About;
@@ -38,18 +38,39 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
         .with_attributes(borrowed(&credits(about)))
         .with_attribute(("generationTool", concat!("ancf14 ", env!("CARGO_PKG_VERSION"))))
         .with_attribute(("variableNamingConvention", "structured"));
+    let exchange = has_states(variables);
+    let root = if exchange { root.with_attribute(("numberOfEventIndicators", "0")) } else { root };
     root.write_inner_content(|xml| {
+        if exchange {
+            model_exchange(xml, about)?;
+        }
         co_simulation(xml, about)?;
         units(xml, variables, &[])?;
         types(xml, variables)?;
         log_categories(xml, Standard::Fmi2)?;
         default_experiment(xml, about)?;
-        annotations(xml)?;
+        annotations(xml, variables)?;
         parent(xml, "ModelVariables", |xml| {
             variables.iter().enumerate().try_for_each(|(reference, variable)| scalar_variable(xml, reference, variable))
         })?;
         parent(xml, "ModelStructure", |xml| model_structure(xml, variables))
     })?;
+    Ok(())
+}
+
+/// What the unit can do where the host integrates its states.
+fn model_exchange(xml: &mut Xml, about: &About) -> io::Result<()> {
+    let flags = [
+        ("needsExecutionTool", "false"),
+        ("completedIntegratorStepNotNeeded", "true"),
+        ("canBeInstantiatedOnlyOncePerProcess", "false"),
+        ("canNotUseMemoryManagementFunctions", "true"),
+        ("canGetAndSetFMUstate", "true"),
+        ("canSerializeFMUstate", "true"),
+        ("providesDirectionalDerivative", "true"),
+    ];
+    let element = xml.create_element("ModelExchange").with_attribute(("modelIdentifier", about.identifier.as_str()));
+    element.with_attributes(flags).write_empty()?;
     Ok(())
 }
 
@@ -102,12 +123,16 @@ const NAMESPACE: [(&str, Cow<'static, str>); 1] = [("xmlns:ancf14", Cow::Borrowe
 
 /// What the standard's own attributes cannot say: outputs depend on no input at the same communication point, and the
 /// directional derivative there is that of a whole step.
-fn annotations(xml: &mut Xml) -> io::Result<()> {
+fn annotations(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
     parent(xml, "VendorAnnotations", |xml| {
         let tool = xml.create_element("Tool").with_attribute(("name", "ancf14"));
         tool.write_inner_content(|xml| {
             let texts = DERIVATIVES.map(|(key, text)| (key, text.into()));
-            empty(xml, "ancf14:Derivatives", NAMESPACE.into_iter().chain(texts).collect())
+            empty(
+                xml,
+                "ancf14:Derivatives",
+                NAMESPACE.into_iter().chain(texts).chain(structure_note(variables)).collect(),
+            )
         })?;
         Ok(())
     })
@@ -121,7 +146,7 @@ fn scalar_variable(xml: &mut Xml, reference: usize, variable: &Variable) -> io::
     }
     attributes.push(("causality", variable.causality.word().into()));
     attributes.push(("variability", variable.variability.word().into()));
-    if let Some(initial) = initial(variable.causality) {
+    if let Some(initial) = initial(variable) {
         attributes.push(("initial", initial.into()));
     }
     let element = xml.create_element("ScalarVariable").with_attributes(borrowed(&attributes));
@@ -153,10 +178,14 @@ fn type_attributes(variable: &Variable) -> Attributes<'_> {
     if has_start(variable) {
         attributes.push(("start", number(variable.start.number()).into()));
     }
+    if let Some(state) = variable.derivative_of {
+        attributes.push(("derivative", (state + 1).to_string().into())); // the standard counts from 1
+    }
     attributes
 }
 
-/// Outputs depend on nothing within the same communication point. What the initial values depend on is said where it is
+/// Outputs of a mechanism depend on nothing within the same communication point; those of a linear system, and the
+/// derivatives of its states, depend on states and inputs. What the initial values depend on is said where it is
 /// less than everything that is given, which the standard reads where nothing is said.
 fn model_structure(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
     let places = |wanted: fn(&Variable) -> bool| -> Vec<usize> {
@@ -165,11 +194,17 @@ fn model_structure(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
     };
     let index = |place: usize| (place + 1).to_string(); // the standard counts from 1
     let outputs = places(|variable| variable.causality == Causality::Output);
-    let unknowns = places(|variable| initial(variable.causality) == Some("calculated"));
-    if !outputs.is_empty() {
-        parent(xml, "Outputs", |xml| {
-            outputs.iter().try_for_each(|place| {
-                empty(xml, "Unknown", vec![("index", index(*place).into()), ("dependencies", "".into())])
+    let derivatives = places(|variable| variable.derivative_of.is_some());
+    let list = |places: &[usize]| places.iter().map(|place| index(*place)).collect::<Vec<_>>().join(" ");
+    let unknowns = places(|variable| initial(variable) == Some("calculated"));
+    for (group, rows) in [("Outputs", outputs), ("Derivatives", derivatives)] {
+        if rows.is_empty() {
+            continue;
+        }
+        parent(xml, group, |xml| {
+            rows.iter().try_for_each(|place| {
+                let dependencies = list(&variables[*place].follows_from);
+                empty(xml, "Unknown", vec![("index", index(*place).into()), ("dependencies", dependencies.into())])
             })
         })?;
     }
@@ -178,8 +213,7 @@ fn model_structure(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
             unknowns.iter().try_for_each(|place| {
                 let mut attributes: Attributes<'_> = vec![("index", index(*place).into())];
                 if let Some(found_from) = &variables[*place].found_from {
-                    let indices: Vec<String> = found_from.iter().map(|known| index(*known)).collect();
-                    attributes.push(("dependencies", indices.join(" ").into()));
+                    attributes.push(("dependencies", list(found_from).into()));
                 }
                 empty(xml, "Unknown", attributes)
             })

@@ -8,8 +8,8 @@ use std::{collections::BTreeMap, io};
 use quick_xml::events::{BytesDecl, Event};
 
 use crate::elements::{
-    Attributes, DERIVATIVES, Xml, borrowed, check_model, clean, credits, default_experiment, empty, has_start, initial,
-    is_real, log_categories, nominal, parent, real, text, type_name, units,
+    Attributes, DERIVATIVES, Xml, borrowed, check_model, clean, credits, default_experiment, empty, has_start,
+    has_states, initial, is_real, log_categories, nominal, parent, real, structure_note, text, type_name, units,
 };
 use crate::error::Error;
 use ancf14::fmi::About;
@@ -45,6 +45,9 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
         .with_attribute(("generationTool", concat!("ancf14 ", env!("CARGO_PKG_VERSION"))))
         .with_attribute(("variableNamingConvention", "structured"));
     root.write_inner_content(|xml| {
+        if has_states(variables) {
+            model_exchange(xml, about)?;
+        }
         co_simulation(xml, about)?;
         units(xml, variables, &[SECOND])?;
         types(xml, variables)?;
@@ -57,8 +60,26 @@ fn document(xml: &mut Xml, about: &About, variables: &[Variable]) -> io::Result<
             arrays.iter().try_for_each(|array| variable(xml, array, variables))
         })?;
         structure(xml, &arrays, variables)?;
-        annotations(xml)
+        annotations(xml, variables)
     })?;
+    Ok(())
+}
+
+/// What the unit can do where the host integrates its states.
+fn model_exchange(xml: &mut Xml, about: &About) -> io::Result<()> {
+    let flags = [
+        ("needsExecutionTool", "false"),
+        ("canBeInstantiatedOnlyOncePerProcess", "false"),
+        ("canGetAndSetFMUState", "true"),
+        ("canSerializeFMUState", "true"),
+        ("providesDirectionalDerivatives", "true"),
+        ("providesAdjointDerivatives", "true"),
+        ("providesPerElementDependencies", "true"),
+        ("needsCompletedIntegratorStep", "false"),
+        ("providesEvaluateDiscreteStates", "false"),
+    ];
+    let element = xml.create_element("ModelExchange").with_attribute(("modelIdentifier", about.identifier.as_str()));
+    element.with_attributes(flags).write_empty()?;
     Ok(())
 }
 
@@ -133,7 +154,7 @@ fn variable(xml: &mut Xml, array: &Array<'_>, variables: &[Variable]) -> io::Res
     }
     attributes.push(("causality", first.causality.word().into()));
     attributes.push(("variability", first.variability.word().into()));
-    if let Some(initial) = initial(first.causality) {
+    if let Some(initial) = initial(first) {
         attributes.push(("initial", initial.into()));
     }
     if is_between(first) {
@@ -214,7 +235,10 @@ fn type_attributes(elements: &[Variable]) -> Attributes<'_> {
         if let Some(display) = &variable.display_unit {
             attributes.push(("displayUnit", display.as_str().into()));
         }
-        attributes.extend(nominal(variable));
+        // One order of magnitude is written for all elements.
+        if elements.iter().all(|element| element.nominal == variable.nominal) {
+            attributes.extend(nominal(variable));
+        }
     }
     if let Some(min) = variable.min {
         attributes.push(("min", number(min).into()));
@@ -226,36 +250,49 @@ fn type_attributes(elements: &[Variable]) -> Attributes<'_> {
         let starts: Vec<String> = elements.iter().map(|element| number(element.start.number())).collect();
         attributes.push(("start", starts.join(" ").into()));
     }
+    if let Some(state) = variable.derivative_of {
+        attributes.push(("derivative", state.to_string().into()));
+    }
     attributes
 }
 
-/// Outputs depend on nothing within the same communication point. What the initial values depend on is always said,
+/// Outputs of a mechanism depend on nothing within the same communication point; those of a linear system, and the
+/// derivatives of its states, depend on states and inputs. What the initial values depend on is always said,
 /// since importers as CasADi do not know that no list means everything that is given: of an array what any of its
 /// elements depends on.
 fn structure(xml: &mut Xml, arrays: &[Array<'_>], variables: &[Variable]) -> io::Result<()> {
     // The variable that each row is an element of.
     let owners: Vec<usize> = arrays.iter().flat_map(|array| vec![array.first; array.elements()]).collect();
     let outputs = arrays.iter().filter(|array| variables[array.first].causality == Causality::Output);
-    let is_unknown = |array: &&Array<'_>| initial(variables[array.first].causality) == Some("calculated");
+    let derivatives = arrays.iter().filter(|array| variables[array.first].derivative_of.is_some());
+    // The variables that any of these rows is an element of.
+    let list = |mut known: Vec<usize>| {
+        known.sort_unstable();
+        known.dedup();
+        known.iter().map(usize::to_string).collect::<Vec<_>>().join(" ")
+    };
+    let elements = |array: &Array<'_>| &variables[array.first..array.first + array.elements()];
+    let owners = &owners;
+    let is_unknown = |array: &&Array<'_>| initial(&variables[array.first]) == Some("calculated");
     let is_given = |array: &&Array<'_>| has_start(&variables[array.first]);
     let given: Vec<usize> = arrays.iter().filter(is_given).map(|array| array.first).collect();
     let reference = |array: &Array<'_>| array.first.to_string();
     parent(xml, "ModelStructure", |xml| {
-        for output in outputs {
-            empty(xml, "Output", vec![("valueReference", reference(output).into()), ("dependencies", "".into())])?;
+        let outputs = outputs.map(|array| ("Output", array));
+        for (name, array) in outputs.chain(derivatives.map(|array| ("ContinuousStateDerivative", array))) {
+            let known = elements(array).iter().flat_map(|element| &element.follows_from).map(|row| owners[*row]);
+            let known = list(known.collect());
+            empty(xml, name, vec![("valueReference", reference(array).into()), ("dependencies", known.into())])?;
         }
         for unknown in arrays.iter().filter(is_unknown) {
             let mut attributes: Attributes<'_> = vec![("valueReference", reference(unknown).into())];
-            let elements = &variables[unknown.first..unknown.first + unknown.elements()];
-            let rows: Option<Vec<&Vec<usize>>> = elements.iter().map(|element| element.found_from.as_ref()).collect();
-            let mut known = match rows {
+            let rows: Option<Vec<&Vec<usize>>> =
+                elements(unknown).iter().map(|element| element.found_from.as_ref()).collect();
+            let known = match rows {
                 Some(rows) => rows.into_iter().flatten().map(|row| owners[*row]).collect(),
                 None => given.clone(),
             };
-            known.sort_unstable();
-            known.dedup();
-            let known: Vec<String> = known.iter().map(usize::to_string).collect();
-            attributes.push(("dependencies", known.join(" ").into()));
+            attributes.push(("dependencies", list(known).into()));
             empty(xml, "InitialUnknown", attributes)?;
         }
         Ok(())
@@ -263,11 +300,12 @@ fn structure(xml: &mut Xml, arrays: &[Array<'_>], variables: &[Variable]) -> io:
 }
 
 /// What the standard's own attributes cannot say of derivatives.
-fn annotations(xml: &mut Xml) -> io::Result<()> {
+fn annotations(xml: &mut Xml, variables: &[Variable]) -> io::Result<()> {
     parent(xml, "Annotations", |xml| {
         let annotation = xml.create_element("Annotation").with_attribute(("type", "ancf14.derivatives"));
         annotation.write_inner_content(|xml| {
-            empty(xml, "Derivatives", DERIVATIVES.map(|(key, text)| (key, text.into())).into())
+            let texts = DERIVATIVES.map(|(key, text)| (key, text.into()));
+            empty(xml, "Derivatives", texts.into_iter().chain(structure_note(variables)).collect())
         })?;
         Ok(())
     })

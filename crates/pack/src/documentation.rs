@@ -21,11 +21,12 @@ code,pre{font-size:.9em}td code{white-space:nowrap}pre{background:#f4f4f4;paddin
 figure{margin:1em 0}figure svg{max-width:100%;height:auto;border:1px solid #ccc}iframe{width:100%;height:34em;border:1px solid #ccc}figcaption{color:#555;font-size:.9em}";
 
 /// Groups of the variable listing: causality, heading, anchor.
-const GROUPS: [(Causality, &str, &str); 5] = [
+const GROUPS: [(Causality, &str, &str); 6] = [
     (Causality::Input, "Inputs", "inputs"),
     (Causality::Output, "Outputs", "outputs"),
     (Causality::Parameter, "Parameters", "parameters"),
     (Causality::CalculatedParameter, "Calculated parameters", "calculated"),
+    (Causality::Local, "States and their rates", "states"),
     (Causality::Independent, "Independent variable", "independent"),
 ];
 
@@ -93,7 +94,7 @@ const ADDED_FMI3: [&str; 4] = [
     "Adjoint derivatives (<code>fmi3GetAdjointDerivative</code>) are products with the same derivatives of the step as directional ones, transposed.",
     "If the host passes an <code>intermediateUpdate</code> function, the unit calls it after each internal step. Outputs and their derivatives can be read \
      there, and the communication step can be ended there: <code>fmi3DoStep</code> then returns early at that time, also if a later time was asked for.",
-    "There are no events, clocks, structural parameters, model exchange and scheduled execution; their functions return <code>fmi3Error</code>.",
+    "There are no events, clocks, structural parameters, Model Exchange and scheduled execution; their functions return <code>fmi3Error</code>.",
 ];
 
 /// Functions of FMI 2.0 with their names in FMI 3.0.

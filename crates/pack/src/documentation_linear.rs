@@ -7,19 +7,21 @@ use quick_xml::escape::escape;
 use crate::small::{Origin, Reduction};
 use ancf14::fmi::Value;
 use ancf14::fmi::lifecycle::Standard;
-use ancf14::fmi::variable::Variable;
+use ancf14::fmi::variable::{Causality, Variable};
 
 /// Poles that the page lists.
 const POLES: usize = 40;
 
 /// How a linear unit behaves.
-const BEHAVIOR: [&str; 9] = [
+const BEHAVIOR: [&str; 10] = [
     "The unit computes small motions about the state above. It knows no large rotations, no stops and no slack: compare it with the FMU of the \
      mechanism at the largest amplitude that you need.",
     "The matrices are in <code>resources/linear.toml</code>, the solver in the library; nothing else has to be installed.",
     "A step has no error but round-off, whatever its length, while inputs are constant or change linearly. Steps of a new length cost more: the unit keeps the \
      matrices of the last four lengths.",
     "Values of inputs and outputs have the meaning that they have in the mechanism: with all inputs at their start values the unit stays in the state above, if that is an equilibrium.",
+    "The unit serves co-simulation and Model Exchange. In Model Exchange the host integrates the states, outputs are those of the instant, and directional derivatives are the entries \
+     of the matrices. There are no events and no event indicators; enter Event Mode where an input jumps. The sentences on steps and communication points are about co-simulation.",
     "A motion that is prescribed is given by its acceleration. Position and rate follow from it, and begin with their values in the state above.",
     "An input that is set at a communication point acts from the next step on. Outputs are those of the end of the last step, with the inputs that it ended with.",
     "Directional derivatives are exact: of the outputs at the end of the last step by the values of the inputs during it. In Initialization Mode they are those of the initial outputs.",
@@ -64,7 +66,7 @@ pub fn write(out: &mut String, origin: &Origin, variables: &[Variable]) -> Resul
         writeln!(out, "<p>Warning: {}.</p>", escape(warning.trim_end_matches('.')))?;
     }
     writeln!(out, "<h3>Values in that state</h3>\n<table>\n<tr><th>Variable</th><th>Value</th><th>Unit</th></tr>")?;
-    for variable in variables {
+    for variable in variables.iter().filter(|variable| variable.causality != Causality::Local) {
         let (Value::Real(value), unit) = (variable.start, escape(variable.quantity.unit.as_str())) else { continue };
         let name = escape(variable.name.as_str());
         writeln!(out, "<tr><td><code>{name}</code></td><td>{value:?}</td><td>{unit}</td></tr>")?;

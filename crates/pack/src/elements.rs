@@ -184,16 +184,29 @@ pub(crate) const DERIVATIVES: [(&str, &str); 3] = [
     ("time", "right-hand where they follow from positions and velocities, else over the last communication step"),
 ];
 
-pub(crate) fn initial(causality: Causality) -> Option<&'static str> {
-    match causality {
+/// Whether a host may integrate the model: it has states.
+pub(crate) fn has_states(variables: &[Variable]) -> bool {
+    variables.iter().any(Variable::is_state)
+}
+
+/// What the model structure of a unit for both kinds of hosts means.
+pub(crate) fn structure_note(variables: &[Variable]) -> Option<(&'static str, std::borrow::Cow<'static, str>)> {
+    const NOTE: &str = "those of Model Exchange; in co-simulation an output depends on no input at the same communication point, and \
+                        directional derivatives are those of the step";
+    has_states(variables).then_some(("dependencies", NOTE.into()))
+}
+
+pub(crate) fn initial(variable: &Variable) -> Option<&'static str> {
+    match variable.causality {
+        Causality::Local if variable.is_state() => Some("exact"),
         Causality::Parameter => Some("exact"),
-        Causality::CalculatedParameter | Causality::Output => Some("calculated"),
+        Causality::CalculatedParameter | Causality::Output | Causality::Local => Some("calculated"),
         Causality::Input | Causality::Independent => None,
     }
 }
 
 pub(crate) fn has_start(variable: &Variable) -> bool {
-    matches!(variable.causality, Causality::Parameter | Causality::Input)
+    matches!(variable.causality, Causality::Parameter | Causality::Input) || variable.is_state()
 }
 
 pub(crate) fn is_real(variable: &Variable) -> bool {

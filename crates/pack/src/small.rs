@@ -92,7 +92,8 @@ impl Small {
         });
         let inputs = signals(&linear.inputs, Causality::Input);
         let outputs = signals(&linear.outputs, Causality::Output);
-        let file = File { about, inputs, outputs, a, b, c, d };
+        let states = linear.states.iter().map(meaning).collect();
+        let file = File { about, inputs, outputs, states, a, b, c, d };
         let text = file.text();
         let unit = Unit::load("the linear system", &text).map_err(|failure| Error::Linear(failure.message))?;
         let poles = poles.iter().map(|pole| pole.value).collect();
@@ -100,6 +101,12 @@ impl Small {
         let origin = Origin { model: model.name.clone(), state, order, reduction, poles, warnings };
         Ok(Self { unit, text, origin })
     }
+}
+
+/// The meaning of a state.
+fn meaning(own: &linear::Signal) -> String {
+    let linear::Signal { name, unit, .. } = own;
+    if unit.is_empty() { name.clone() } else { format!("{name}, {unit}") }
 }
 
 /// An input or an output as the variable table of the mechanism knows it.

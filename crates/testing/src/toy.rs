@@ -94,6 +94,8 @@ pub fn variables() -> Vec<Variable> {
         nominal: None,
         display_unit: None,
         found_from: None,
+        derivative_of: None,
+        follows_from: Vec::new(),
     };
     let real = Value::Real;
     vec![

@@ -144,7 +144,7 @@ class Linearization:
         return path
 
     def pack(self, path: str | os.PathLike[str], *, fmi: int = 2) -> Path:
-        """Pack the system as a small FMU for co-simulation, write it to ``path`` and return the path.
+        """Pack the system as a small FMU for co-simulation and Model Exchange, write it to ``path`` and return the path.
 
         ``fmi`` is the version of the standard: 2 for FMI 2.0, 3 for FMI 3.0. The FMU is right for small motions about the state of the system. It can have at
         most 300 states: reduce larger systems first.

@@ -1,13 +1,13 @@
 //! Which elements of which variables an element depends on (FMI 3.0, section 2.2.10).
 //!
 //! At a communication point an output depends on no input. Until the end of the initialization it depends on what its
-//! initial value is found from.
+//! initial value is found from, and in Model Exchange on states and inputs at every instant.
 
 use super::Instance;
 use crate::fmi::{
     Model,
     error::Error,
-    lifecycle::{Call, Mode},
+    lifecycle::{Call, Kind, Mode},
     variable::Causality,
 };
 
@@ -61,21 +61,24 @@ impl<M: Model> Instance<M> {
         let count = self.elements(dependent)?;
         let variables = self.model.variables();
         let variable = self.row(dependent)?;
-        if !matches!(variable.causality, Causality::Output | Causality::CalculatedParameter) {
+        let is_calculated = matches!(variable.causality, Causality::Output | Causality::CalculatedParameter);
+        if !is_calculated && variable.derivative_of.is_none() {
             return Err(Error::NotCalculated { name: variable.name.clone() });
         }
-        if !matches!(self.mode(), Mode::Instantiated | Mode::Initialization) {
+        let starts = matches!(self.mode(), Mode::Instantiated | Mode::Initialization);
+        if !starts && self.kind == Kind::CoSimulation {
             return Ok(());
         }
         for element in 0..count {
-            let found_from = variables[(dependent + element) as usize].found_from.as_deref();
+            let own = &variables[(dependent + element) as usize];
+            let found_from = if starts { own.found_from.as_deref() } else { Some(own.follows_from.as_slice()) };
             // The array that a row is in, with the place of the row there.
             let mut first = 0;
             for (row, known) in variables.iter().enumerate() {
                 if self.arrays.lengths[row] > 0 {
                     first = row;
                 }
-                let given = matches!(known.causality, Causality::Parameter | Causality::Input);
+                let given = matches!(known.causality, Causality::Parameter | Causality::Input) || known.is_state();
                 if given && found_from.is_none_or(|rows| rows.binary_search(&row).is_ok()) {
                     see(element as usize + 1, first as u32, row - first + 1);
                 }

@@ -88,8 +88,8 @@ impl<M: Model> Instance<M> {
     }
 
     /// The change of `unknowns` when `knowns` change by `seeds` (section 2.1.9): of outputs at the end of the last step
-    /// with the inputs of that step, none before there is a step; in Initialization Mode of what is calculated with the
-    /// inputs and parameters that it follows from.
+    /// with the inputs of that step, none before there is a step; in Initialization Mode and in Model Exchange of what
+    /// is calculated with the inputs, parameters and states that it follows from.
     ///
     /// # Errors
     /// The mode does not allow it, an unknown or a known is none in this mode, or there is no derivative; none is
@@ -149,7 +149,7 @@ impl<M: Model> Instance<M> {
 
     /// Whether these are unknowns and knowns in this mode.
     fn check_roles(&self, unknowns: &[u32], knowns: &[u32]) -> Result<(), Error> {
-        let starts = self.mode() == Mode::Initialization;
+        let starts = self.is_at_instant();
         for &unknown in unknowns {
             if starts {
                 self.calculated(unknown)?
@@ -207,9 +207,9 @@ impl<M: Model> Instance<M> {
     /// The derivative of one unknown with respect to one known.
     fn derivative(&mut self, unknown: u32, known: u32) -> Result<f64, Error> {
         let (unknown, known) = (unknown as usize, known as usize);
-        Ok(match self.mode() {
-            Mode::Initialization => self.model.initial_derivative(unknown, known)?,
-            _ => self.model.partial_derivative(unknown, known)?,
+        Ok(match self.is_at_instant() {
+            true => self.model.initial_derivative(unknown, known)?,
+            false => self.model.partial_derivative(unknown, known)?,
         })
     }
 
@@ -225,6 +225,7 @@ impl<M: Model> Instance<M> {
         let variable = self.variable::<f64>(reference)?;
         match variable.causality {
             Causality::Output | Causality::CalculatedParameter => Ok(variable),
+            Causality::Local if !variable.is_state() => Ok(variable),
             _ => Err(Error::NotCalculated { name: variable.name.clone() }),
         }
     }
@@ -234,6 +235,7 @@ impl<M: Model> Instance<M> {
         let variable = self.variable::<f64>(reference)?;
         match variable.causality {
             Causality::Input | Causality::Parameter => Ok(variable),
+            Causality::Local if variable.is_state() => Ok(variable),
             _ => Err(Error::NotGiven { name: variable.name.clone() }),
         }
     }

@@ -63,7 +63,7 @@ impl<M: Model> Instance<M> {
     /// 2.1.8).
     ///
     /// # Errors
-    /// The mode does not allow it; or the bytes are foreign, truncated, damaged, or of another model.
+    /// The mode does not allow it; or the bytes are foreign, truncated, damaged, or of another model or kind.
     pub fn deserialize(&self, bytes: &[u8]) -> Result<FmuState<M>, Error> {
         self.check(Call::DeSerializeFMUstate)?;
         let refused = |problem: String| Error::Serialized { problem };
@@ -77,6 +77,7 @@ impl<M: Model> Instance<M> {
         if guid != *own {
             return Err(Error::ForeignState { theirs: guid, own: own.clone() });
         }
+        self.fits(control.mode)?;
         let model = self.model.read(model).map_err(|failure| refused(failure.message))?;
         Ok(FmuState { guid, control, model })
     }

@@ -23,13 +23,14 @@ impl<M: Model> Instance<M> {
     /// Goes back to a copy, mode, times and logging included; also after a failed step (section 2.1.8).
     ///
     /// # Errors
-    /// The mode does not allow it, or the copy is of another model.
+    /// The mode does not allow it, or the copy is of another model or of an instance of the other kind.
     pub fn set_state(&mut self, state: &FmuState<M>) -> Result<(), Error> {
         self.check(Call::SetFMUstate)?;
         let own = &self.model.about().guid;
         if state.guid != *own {
             return Err(Error::ForeignState { theirs: state.guid.clone(), own: own.clone() });
         }
+        self.fits(state.control.mode)?;
         self.model.restore(&state.model);
         self.control = state.control;
         let (mode, time) = (self.mode(), self.time());

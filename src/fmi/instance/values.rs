@@ -135,10 +135,12 @@ impl<M: Model> Instance<M> {
 
     fn get<T: Number>(&mut self, references: &[u32], values: &mut [T]) -> Result<(), Error> {
         self.same_length(references.len(), values.len())?;
-        let mut results_wanted = false;
+        let (mut results_wanted, mut rates_wanted) = (false, false);
         for &reference in references {
             if self.time_at::<T>(reference).is_none() {
-                results_wanted |= is_result(self.variable::<T>(reference)?);
+                let variable = self.variable::<T>(reference)?;
+                rates_wanted |= variable.derivative_of.is_some();
+                results_wanted |= is_result(variable);
                 if self.mode() == Mode::Update {
                     self.between(reference)?;
                 }
@@ -149,6 +151,9 @@ impl<M: Model> Instance<M> {
             Mode::Initialization if results_wanted => self.solve_initial_state()?,
             Mode::Update if results_wanted => self.look_between()?,
             _ => (),
+        }
+        if results_wanted {
+            self.settle(rates_wanted)?;
         }
         for (value, &reference) in values.iter_mut().zip(references) {
             *value = match self.time_at(reference) {
@@ -256,11 +261,11 @@ impl<M: Model> Instance<M> {
 
 /// Whether the value needs the initial state. Calculated parameters follow from others at once.
 fn is_result(variable: &Variable) -> bool {
-    variable.causality == Causality::Output
+    variable.causality == Causality::Output || variable.derivative_of.is_some()
 }
 
-/// Parameters and inputs up to the end of the initialization, afterwards inputs and tunable parameters; between
-/// internal steps continuous inputs.
+/// Parameters, inputs and states up to the end of the initialization, afterwards inputs and tunable parameters; between
+/// internal steps continuous inputs; in Continuous-Time Mode states too.
 fn may_be_set(variable: &Variable, mode: Mode) -> Result<(), Error> {
     match (variable.causality, variable.variability) {
         (Causality::Input, Variability::Continuous) => Ok(()),
@@ -270,6 +275,10 @@ fn may_be_set(variable: &Variable, mode: Mode) -> Result<(), Error> {
         (Causality::Input, _) | (Causality::Parameter, Variability::Tunable) => Ok(()),
         (Causality::Parameter, _) if matches!(mode, Mode::Instantiated | Mode::Initialization) => Ok(()),
         (Causality::Parameter, _) => Err(Error::Fixed { name: variable.name.clone() }),
+        (Causality::Local, _) if variable.is_state() => match mode {
+            Mode::Instantiated | Mode::Initialization | Mode::ContinuousTime => Ok(()),
+            _ => Err(Error::State { name: variable.name.clone() }),
+        },
         _ => Err(Error::Result { name: variable.name.clone() }),
     }
 }

@@ -1,4 +1,4 @@
-//! Which call of FMI 3.0 is legal in which mode (sections 2.3 and 4.2.1).
+//! Which call of FMI 3.0 for co-simulation is legal in which mode (sections 2.3 and 4.2.1).
 //!
 //! The unit has neither events nor clocks nor structural parameters, so the modes Event, Configuration and
 //! Reconfiguration do not occur. The standard terminates an instance whose call returned an error; here only a failed
@@ -91,7 +91,7 @@ pub(super) fn never(call: Call) -> Option<&'static str> {
     match call {
         EnterConfigurationMode | ExitConfigurationMode => Some("this unit has no structural parameters"),
         EnterEventMode | EnterStepMode | EvaluateDiscreteStates | UpdateDiscreteStates => {
-            Some("this unit has no events; hasEventMode is false")
+            Some("it belongs to Event Mode, which this unit does not have in co-simulation")
         }
         GetClock | SetClock | GetIntervalDecimal | GetIntervalFraction | GetShiftDecimal | GetShiftFraction
         | SetIntervalDecimal | SetIntervalFraction | SetShiftDecimal | SetShiftFraction => {
@@ -106,8 +106,8 @@ pub(super) fn never(call: Call) -> Option<&'static str> {
         | GetContinuousStates
         | GetNominalsOfContinuousStates
         | GetNumberOfEventIndicators
-        | GetNumberOfContinuousStates => Some("it belongs to model exchange, and this unit is for co-simulation"),
-        ActivateModelPartition => Some("it belongs to scheduled execution, and this unit is for co-simulation"),
+        | GetNumberOfContinuousStates => Some("it belongs to Model Exchange, and this instance is for co-simulation"),
+        ActivateModelPartition => Some("it belongs to scheduled execution, which this unit does not have"),
         _ => None,
     }
 }

@@ -64,6 +64,8 @@ fn row(slot: &Slot, value: f64) -> Variable {
         nominal: None,
         display_unit: meta.display.clone(),
         found_from: None,
+        derivative_of: None,
+        follows_from: Vec::new(),
     }
 }
 

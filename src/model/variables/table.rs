@@ -407,5 +407,7 @@ fn result(name: &str, unit: &str, description: String, start: Value) -> Variable
         nominal: None,
         display_unit: None,
         found_from: None,
+        derivative_of: None,
+        follows_from: Vec::new(),
     }
 }

@@ -5,8 +5,14 @@ use std::{path::Path, process::Command};
 
 use crate::golden;
 
-const SOURCES: [&str; 5] =
-    ["src/ffi/front_types.rs", "src/ffi/front.rs", "src/ffi/types.rs", "src/ffi/fmi2.rs", "src/ffi/fmi2_values.rs"];
+const SOURCES: [&str; 6] = [
+    "src/ffi/front_types.rs",
+    "src/ffi/front.rs",
+    "src/ffi/types.rs",
+    "src/ffi/fmi2.rs",
+    "src/ffi/fmi2_values.rs",
+    "src/ffi/fmi2_exchange.rs",
+];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

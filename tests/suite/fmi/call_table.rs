@@ -62,7 +62,7 @@ fn going_on(unit: &Unit, mode: Mode, mut saved: Saved) -> Vec<u64> {
             go_on(Call::DoStep);
             assert!(is_fine(unit.forget(&mut saved)));
         }
-        Mode::Terminated | Mode::Fatal | Mode::Update => (),
+        Mode::Terminated | Mode::Fatal | Mode::Update | Mode::Event | Mode::ContinuousTime => (),
     }
     bits
 }

@@ -136,7 +136,9 @@ fn all_functions_are_exported() {
         EnterInitializationMode ExitInitializationMode Terminate Reset GetReal GetInteger GetBoolean GetString SetReal \
         SetInteger SetBoolean SetString GetFMUstate SetFMUstate FreeFMUstate SerializedFMUstateSize SerializeFMUstate \
         DeSerializeFMUstate GetDirectionalDerivative SetRealInputDerivatives GetRealOutputDerivatives DoStep CancelStep \
-        GetStatus GetRealStatus GetIntegerStatus GetBooleanStatus GetStringStatus"
+        GetStatus GetRealStatus GetIntegerStatus GetBooleanStatus GetStringStatus EnterEventMode NewDiscreteStates \
+        EnterContinuousTimeMode CompletedIntegratorStep SetTime SetContinuousStates GetDerivatives GetEventIndicators \
+        GetContinuousStates GetNominalsOfContinuousStates"
         .split_whitespace()
     {
         unit.function::<Call>(&format!("fmi2{name}"));
@@ -191,7 +193,7 @@ fn instantiation_is_refused_with_a_reason() {
         (None, 1, good, here, "instance name is NULL or blank"),
         (Some(" \t"), 1, good, here, "instance name is NULL or blank"),
         (Some("one"), 0, good, here, "co-simulation only"),
-        (Some("one"), 7, good, here, "co-simulation only"),
+        (Some("one"), 7, good, here, "fmuType is neither fmi2ModelExchange nor fmi2CoSimulation"),
         (Some("one"), 1, None, here, "`fmuGUID` is NULL"),
         (Some("one"), 1, Some("{wrong}"), here, "the GUID `{wrong}` is not that of the model file"),
         (Some("one"), 1, good, nowhere, "missing/model.toml: No such file"),

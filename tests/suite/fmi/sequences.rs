@@ -199,7 +199,7 @@ fn legal(random: &mut Random, mode: Mode, slots: &[Option<Mode>; SLOTS]) -> Acti
             53 => Action::Reset,
             _ => Action::Step { step: some_step(random) },
         },
-        Mode::Terminated | Mode::Error | Mode::Fatal | Mode::Update => match slots[slot] {
+        _ => match slots[slot] {
             Some(_) => Action::Restore { slot },
             None => Action::Reset,
         },

@@ -4,4 +4,5 @@
 mod archive;
 mod description;
 mod description_fmi3;
+mod exchange;
 mod models;

@@ -22,6 +22,8 @@ fn row(name: &str, causality: Causality) -> Variable {
         nominal: None,
         display_unit: None,
         found_from: None,
+        derivative_of: None,
+        follows_from: Vec::new(),
     }
 }
 

@@ -99,6 +99,7 @@ fn allowed(mode: Mode) -> (Vec<Call>, Vec<Call>) {
         }
         Mode::Update => ([&READS[..], &WRITES, &dependencies, &[GetRealOutputDerivatives]].concat(), vec![]),
         Mode::Fatal => (vec![], vec![FreeInstance, FreeFMUstate]),
+        Mode::Event | Mode::ContinuousTime => (vec![], vec![]), // of Model Exchange
     };
     (legal, tolerated)
 }
@@ -235,7 +236,7 @@ fn in_mode<R>(place: &Place, mode: Mode, body: impl FnOnce(&Unit<'_>) -> R) -> (
             assert_eq!(unit.set(&[place.reference("tip.force")], &[0.0, 0.0, 1e20]), OK);
             assert_eq!(unit.step(1e-3, 1e-3).status, ERROR);
         }
-        Mode::Fatal => panic!("no call brings a unit there"),
+        Mode::Fatal | Mode::Event | Mode::ContinuousTime => panic!("no call brings a unit there"),
     }
     unit.lines();
     let result = RefCell::new(None);

@@ -39,7 +39,7 @@ impl<'a> Host<'a> {
             Mode::Instantiated => Call::EnterInitializationMode,
             Mode::Initialization => Call::ExitInitializationMode,
             Mode::Step => Call::DoStep,
-            Mode::Terminated | Mode::Error | Mode::Fatal | Mode::Update => Call::Reset,
+            _ => Call::Reset,
         };
         match self.random.below(10) {
             0..3 => onwards,

@@ -3,6 +3,7 @@
 use super::oscillator;
 use crate::random::Random;
 use ancf14::fmi::Model;
+use ancf14::fmi::continuous::Inputs;
 use ancf14::linear::Unit;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -69,6 +70,8 @@ fn run(text: &str) -> bool {
             for (number, end) in [1e-3, 2e-3, 1.0, 1e9, 1e200].into_iter().enumerate() {
                 unit.set_input_derivative(0, 1.0);
                 let _ = unit.advance(end);
+                let inputs = if number % 2 == 0 { Inputs::Set } else { Inputs::Last };
+                let _ = unit.continuous().unwrap().evaluate(inputs);
                 let count = unit.variables().len();
                 for reference in 0..count {
                     let value = unit.value(reference).number();
@@ -108,6 +111,7 @@ fn mistakes_are_named() {
         ("  [0.0, 1.0],\n", "", "`a` is not a list of 1 rows with 1 finite numbers each"),
         ("[0.0, 1.0]", "[0.0, inf]", "`a` is not a list of 2 rows with 2 finite numbers each"),
         ("value = 0.3", "value = \"x\"", "`value` is not a finite number"),
+        ("states = [", "states = [1, ", "`states` is not a list of 2 texts"),
         ("name = \"x.velocity\"", "", "`name` is missing"),
         ("[[input]]", "[[inputs]]", "`b` is not a list of 2 rows with 0 finite numbers each"),
     ] {

@@ -2,6 +2,7 @@
 
 use super::begun;
 use ancf14::fmi::instance::Instance;
+use ancf14::fmi::variable::Causality;
 use ancf14::fmi::{About, Model};
 use ancf14::linear::File;
 use ancf14::model::reduced::{Method, Reduced, Size};
@@ -93,7 +94,7 @@ fn signals_have_the_words_of_the_mechanism() {
     let variables = small.unit.variables();
     assert_eq!((variables[0].name.as_str(), variables[0].start.number()), ("push.force[3]", 5.0));
     let known = |name: &str| model.variables().iter().find(|variable| variable.name == name).unwrap();
-    for variable in variables {
+    for variable in variables.iter().filter(|variable| variable.causality != Causality::Local) {
         let known = known(&variable.name);
         assert_eq!((&variable.description, &variable.quantity.unit), (&known.description, &known.quantity.unit));
         assert!(variable.description.len() > 10, "{}", variable.description);

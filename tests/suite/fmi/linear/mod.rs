@@ -1,6 +1,9 @@
 //! Linear systems as units: what the small FMU of a reduced mechanism computes.
 
 mod damage;
+mod exchange;
+mod exchange_calls;
+mod exchange_host;
 mod loading;
 mod mechanism;
 mod oscillator;
@@ -45,6 +48,7 @@ fn oscillator() -> File {
             .zip(Y0)
             .map(|(name, value)| signal(name, value))
             .collect(),
+        states: vec![String::from("x, m"), String::from("x.rate, m/s")],
         a: matrix(&[[0.0, 1.0], [-stiffness, -damping]]),
         b: matrix(&[[0.0], [1.0]]),
         c: matrix(&[[1.0, 0.0], [0.0, 1.0], [-stiffness, -damping]]),

@@ -12,7 +12,7 @@ use ancf14::linear::{File, Unit};
 use ancf14::packed::Packed;
 
 /// Position and rate after `h` s, from `x` and `v`, with the input `u + s t`.
-fn moved([x, v]: [f64; 2], u: f64, s: f64, h: f64) -> [f64; 2] {
+pub(super) fn moved([x, v]: [f64; 2], u: f64, s: f64, h: f64) -> [f64; 2] {
     let (decay, omega) = (ZETA * OMEGA, OMEGA * (1.0 - ZETA * ZETA).sqrt());
     // The particular solution p + q t, and the rest, which vibrates.
     let q = s / OMEGA.powi(2);
@@ -168,20 +168,23 @@ fn hosts_of_the_other_standard_are_served() {
     assert!((adjoint[0] - (x - 3.0 * v)).abs() < 1e-15, "{adjoint:?}");
 }
 
-/// The variable table is that of the file, and initial values depend on what `D` has entries for.
+/// The variable table is that of the file, and initial values depend on what the matrices have entries for.
 #[test]
 fn variables_are_those_of_the_file() {
     let file = oscillator();
     let unit = Unit::load("linear.toml", &file.text()).unwrap();
     let variables = unit.variables();
-    assert_eq!(variables.len(), 4);
+    assert_eq!(variables.len(), 8);
     assert_eq!((variables[0].causality, variables[0].start), (Causality::Input, Value::Real(U0)));
-    let found_from: Vec<_> = variables[1..].iter().map(|variable| variable.found_from.clone().unwrap()).collect();
-    assert_eq!(found_from, [vec![], vec![], vec![0]]);
+    let calculated = variables[1..].iter().filter(|variable| !variable.is_state());
+    let found_from: Vec<_> = calculated.map(|variable| variable.found_from.clone().unwrap()).collect();
+    assert_eq!(found_from, [vec![4], vec![5], vec![0, 4, 5], vec![5], vec![0, 4, 5]]);
+    let descriptions = [&variables[4], &variables[7]].map(|variable| variable.description.as_str());
+    assert_eq!(descriptions, ["State 1 of the linear system, x, m", "Derivative of state 2 by time"]);
     assert_eq!(unit.about().name, file.about.name, "the text keeps every character");
     let read = File::read("linear.toml", &file.text()).unwrap();
     assert_eq!((&read.a, &read.b, &read.c, &read.d), (&file.a, &file.b, &file.c, &file.d), "and every digit");
-    assert_eq!((&read.inputs, &read.outputs), (&file.inputs, &file.outputs));
+    assert_eq!((&read.inputs, &read.outputs, &read.states), (&file.inputs, &file.outputs, &file.states));
 }
 
 /// A motion that grows ends with a sentence, and the state before can be read and left.
