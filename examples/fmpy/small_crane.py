@@ -1,7 +1,7 @@
 """Drives a crane and its reduced linear system by the same motion of the foot in FMPy, and tells how far apart they are.
 
     ancf14 pack models/crane.toml -o crane.fmu
-    ancf14 reduce models/crane.toml --at equilibrium --inputs foot.position[1] \
+    ancf14 reduce models/crane.toml --at equilibrium --order 20 --inputs foot.position[1] \
         --outputs load_motion.position[1],load_motion.velocity[1],drive_load.reaction_force[1] -o small.fmu
     python examples/fmpy/small_crane.py crane.fmu small.fmu
 

@@ -72,7 +72,7 @@ def test_ranges_are_those_of_columns() -> None:
     stations = 'on = "arm", stations = 3, quantities = ["displacement", "twist"]'
     outputs = f'output.all = {{ {stations} }}\noutput.graph = {{ {stations}, summary = "range", from = 0.005 }}\n'
     model = PUSHED.replace("output.tip", outputs + "output.tip")
-    results = ancf14.Model.from_text(model).run(inputs={"push.force": [0.0, 3.0, 5.0]})
+    results = ancf14.Model.from_string(model).run(inputs={"push.force": [0.0, 3.0, 5.0]})
     counted = results.time >= 0.005
     for quantity in ("displacement", "twist"):
         found, own, time = results.ranges[f"graph.{quantity}"], results[f"all.{quantity}"][counted], results.time[counted]

@@ -3,8 +3,7 @@
 //!
 //! Poles at 0, and poles that do not fade, have no Gramians. They are split off first and kept as they are; the stable
 //! rest is reduced. `‖G − G_r‖∞ ≤ 2 Σ σ` over the Hankel singular values that are left out (Enns 1984, Glover 1984).
-//! Outputs and inputs are measured by the responses to sudden changes, so that neither units matter nor how high the
-//! peaks of vibrations are that hardly fade: a small share of such a peak may be far more than what motions show.
+//! Outputs and inputs are measured by their largest responses, so that units do not matter.
 
 use super::gramian::{factor, real};
 use super::modal::{Modes, norm, pairs};
@@ -16,7 +15,7 @@ use crate::solve::linear::dense::{Complex, Dense, PivotedQr};
 const ROUND_OFF: f64 = 1e-9;
 /// Factor that makes states that integrate inputs the first ones of the pivots.
 const FIRST: f64 = 1e6;
-/// An output whose response is below this share of that of another one with the same unit has none.
+/// An output whose largest response is below this share of that of another one with the same unit has none.
 const SILENT: f64 = 1e-9;
 /// Frequencies at which responses are compared, besides those of the poles.
 const GRID: usize = 400;
@@ -35,7 +34,7 @@ pub enum Method {
 /// How many states stay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Size {
-    /// The fewest that keep this error, as a share of the response to a sudden change of an input.
+    /// The fewest that keep this error, as a share of the largest response.
     Error(f64),
     /// So many, those included that are always kept.
     Order(usize),
@@ -76,10 +75,9 @@ pub struct Truncated {
     pub origins: Vec<Origin>,
     /// Number of states that are kept exactly: of poles that do not fade.
     pub kept: usize,
-    /// The bound of the error at any frequency, over the response to a sudden change of an input; none: the method has
-    /// none.
+    /// The bound of the error, over the largest response; none: the method has none.
     pub bound: Option<f64>,
-    /// The largest error that the responses show, over the same.
+    /// The largest error that the responses show, over the largest response.
     pub error: f64,
 }
 
@@ -116,17 +114,19 @@ pub fn reduce(system: &Whole, size: Size, method: Method) -> Result<Truncated, R
         return Err(Refusal::Kept(kept));
     }
     let grid = grid(&modes.poles);
-    let units = units(&modes, &whole.d, kinds);
+    let units = units(&modes, &whole.d, kinds, &grid);
     modes.scale([&units[0], &units[1]]);
-    let mut own_d = Dense::zeros(whole.d.rows, whole.d.columns);
+    let [d, mut own_d] = [scaled(&whole.d, &units), Dense::zeros(whole.d.rows, whole.d.columns)];
+    let peak = grid.iter().map(|omega| norm(&plus(&modes.response(*omega, d.values.len()), &d), d.rows));
+    let peak = peak.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
 
     let ([a, b, c], origin, bound, error) = match method {
         Method::Balanced => {
-            let (matrices, bound, error) = balance(&modes, size, kept, &grid)?;
+            let (matrices, bound, error) = balance(&modes, size, kept, peak, &grid)?;
             (matrices, Origin::Balanced, Some(bound), error)
         }
         Method::Modal => {
-            let (chosen, error, correction) = choose(&modes, size, kept, &grid);
+            let (chosen, error, correction) = choose(&modes, size, kept, peak, &grid);
             own_d = correction;
             (modes.real(&chosen), Origin::Mode, None, error)
         }
@@ -236,16 +236,13 @@ fn grid(poles: &[Complex]) -> Vec<f64> {
     grid
 }
 
-/// The responses of outputs to sudden changes of inputs, and then of inputs in these: what both are measured in. Such a
-/// response is at most the sum of what it moves each mode by, `|C x| |yᵀ B| / |λ|`, and at most twice that for a time.
-fn units(modes: &Modes, d: &Dense, kinds: &[usize]) -> [Vec<f64>; 2] {
+/// The largest responses of outputs, and then of inputs in these: what both are measured in.
+fn units(modes: &Modes, d: &Dense, kinds: &[usize], grid: &[f64]) -> [Vec<f64>; 2] {
     let mut largest = Dense::zeros(d.rows, d.columns);
-    largest.values.iter_mut().zip(&d.values).for_each(|(own, d)| *own = d.abs());
-    for ((pole, seen), moved) in modes.poles.iter().zip(&modes.seen).zip(&modes.moved) {
-        for (column, moved) in moved.iter().enumerate() {
-            let parts = seen.iter().map(|seen| (seen * moved / pole).norm());
-            largest.column_mut(column).iter_mut().zip(parts).for_each(|(own, part)| *own += part);
-        }
+    for omega in grid {
+        let response = plus(&modes.response(*omega, d.values.len()), d);
+        let sizes = response.iter().map(|value| value.norm());
+        largest.values.iter_mut().zip(sizes).for_each(|(largest, size)| *largest = largest.max(size));
     }
     let or_one = |value: f64| if value > 0.0 { value } else { 1.0 };
     let own = |row: usize| (0..d.columns).map(|column| largest.at(row, column)).fold(0.0, f64::max);
@@ -263,8 +260,20 @@ fn units(modes: &Modes, d: &Dense, kinds: &[usize]) -> [Vec<f64>; 2] {
     [outputs, inputs]
 }
 
+fn scaled(d: &Dense, [outputs, inputs]: &[Vec<f64>; 2]) -> Dense {
+    let mut own = d.clone();
+    for (column, unit) in inputs.iter().enumerate() {
+        own.column_mut(column).iter_mut().zip(outputs).for_each(|(value, output)| *value *= unit / output);
+    }
+    own
+}
+
+fn plus(response: &[Complex], d: &Dense) -> Vec<Complex> {
+    response.iter().zip(&d.values).map(|(value, d)| value + d).collect()
+}
+
 /// Balanced truncation: `A`, `B`, `C`, the bound, and the error that responses show.
-fn balance(modes: &Modes, size: Size, kept: usize, grid: &[f64]) -> Result<([Dense; 3], f64, f64), Refusal> {
+fn balance(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> Result<([Dense; 3], f64, f64), Refusal> {
     let count = modes.poles.len();
     let partners: Vec<usize> = (0..count).map(|number| modes.partner(number)).collect();
     let conjugate = |values: &[Complex]| values.iter().map(Complex::conj).collect::<Vec<_>>();
@@ -277,7 +286,7 @@ fn balance(modes: &Modes, size: Size, kept: usize, grid: &[f64]) -> Result<([Den
     let (u, singular, v) = observable.transposed().product(&reachable).singular()?;
     // Sums from the end on: of each order the bound.
     let mut bounds = vec![0.0; singular.len() + 1];
-    (0..singular.len()).rev().for_each(|order| bounds[order] = bounds[order + 1] + 2.0 * singular[order]);
+    (0..singular.len()).rev().for_each(|order| bounds[order] = bounds[order + 1] + 2.0 * singular[order] / peak);
     let most = singular.iter().filter(|own| **own > f64::EPSILON * singular[0]).count();
     let order = match size {
         Size::Order(order) => (order - kept).min(most),
@@ -303,12 +312,12 @@ fn balance(modes: &Modes, size: Size, kept: usize, grid: &[f64]) -> Result<([Den
         let lack: Vec<Complex> = whole.iter().zip(small).map(|(whole, small)| whole - small).collect();
         norm(&lack, outputs)
     });
-    let error = errors.fold(0.0, f64::max);
+    let error = errors.fold(0.0, f64::max) / peak;
     Ok((reduced, bounds[order], error))
 }
 
 /// The modes with the largest peaks, the error that responses show, and the static responses of the others.
-fn choose(modes: &Modes, size: Size, kept: usize, grid: &[f64]) -> (Vec<usize>, f64, Dense) {
+fn choose(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> (Vec<usize>, f64, Dense) {
     let [outputs, inputs] = [&modes.seen, &modes.moved].map(|lists| lists.first().map_or(0, Vec::len));
     let length = |vector: &[Complex]| vector.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
     let height = |own: &usize| length(&modes.seen[*own]) * length(&modes.moved[*own]) / -modes.poles[*own].re;
@@ -326,7 +335,7 @@ fn choose(modes: &Modes, size: Size, kept: usize, grid: &[f64]) -> (Vec<usize>, 
             }
         }
     };
-    let error = |lacks: &[Vec<Complex>]| lacks.iter().map(|own| norm(own, outputs)).fold(0.0, f64::max);
+    let error = |lacks: &[Vec<Complex>]| lacks.iter().map(|own| norm(own, outputs)).fold(0.0, f64::max) / peak;
     order.iter().for_each(|own| add(&mut lacks, *own, 1.0));
     let (mut chosen, mut found) = (Vec::new(), error(&lacks));
     for own in &order {
