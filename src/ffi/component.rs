@@ -7,7 +7,7 @@ use std::{
 };
 
 use super::{
-    fmi3_types::{Callbacks, fmi3False, fmi3True},
+    fmi3_types::{Callbacks, fmi3False, fmi3InstanceEnvironment, fmi3LogMessageCallback, fmi3True},
     live,
     types::{fmi2CallbackFunctions, fmi2CallbackLogger, fmi2ComponentEnvironment},
 };
@@ -72,6 +72,11 @@ impl Host {
 }
 
 impl Callbacks {
+    /// Those of a host that hears of no internal steps.
+    pub(super) fn of_log(environment: fmi3InstanceEnvironment, log_message: fmi3LogMessageCallback) -> Self {
+        Self { environment, log_message, intermediate_update: None, early_return_allowed: false }
+    }
+
     /// Whether the host wants to hear of internal steps.
     pub(super) fn has_update(&self) -> bool {
         self.intermediate_update.is_some()

@@ -38,15 +38,13 @@ pub unsafe extern "C" fn fmi3InstantiateScheduledExecution(
     lockPreemption: fmi3LockPreemptionCallback,
     unlockPreemption: fmi3UnlockPreemptionCallback,
 ) -> fmi3Instance {
-    let callbacks = Callbacks {
-        environment: instanceEnvironment,
-        log_message: logMessage,
-        intermediate_update: None,
-        early_return_allowed: false,
-    };
     let reason = "this unit has no scheduled execution; call fmi3InstantiateCoSimulation";
     let message = format!("fmi3InstantiateScheduledExecution: {reason}");
-    Host::Fmi3(callbacks).log(Status::Error, LogCategory::StatusError, &message);
+    Host::Fmi3(Callbacks::of_log(instanceEnvironment, logMessage)).log(
+        Status::Error,
+        LogCategory::StatusError,
+        &message,
+    );
     null_mut()
 }
 

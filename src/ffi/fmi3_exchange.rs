@@ -30,12 +30,7 @@ pub unsafe extern "C" fn fmi3InstantiateModelExchange(
     logMessage: fmi3LogMessageCallback,
 ) -> fmi3Instance {
     fault::silence();
-    let host = Host::Fmi3(Callbacks {
-        environment: instanceEnvironment,
-        log_message: logMessage,
-        intermediate_update: None,
-        early_return_allowed: false,
-    });
+    let host = Host::Fmi3(Callbacks::of_log(instanceEnvironment, logMessage));
     made("fmi3InstantiateModelExchange", &host, || {
         // SAFETY: the caller's promise.
         let model = unsafe { instantiate(instanceName, instantiationToken, resourcePath) }?;

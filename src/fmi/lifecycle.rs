@@ -177,6 +177,26 @@ pub enum Call {
     ActivateModelPartition,
 }
 
+impl Call {
+    /// Whether it belongs to Model Exchange alone.
+    fn is_of_model_exchange(self) -> bool {
+        use Call::*;
+        matches!(
+            self,
+            EnterContinuousTimeMode
+                | CompletedIntegratorStep
+                | SetTime
+                | SetContinuousStates
+                | GetContinuousStateDerivatives
+                | GetEventIndicators
+                | GetContinuousStates
+                | GetNominalsOfContinuousStates
+                | GetNumberOfEventIndicators
+                | GetNumberOfContinuousStates
+        )
+    }
+}
+
 impl fmt::Display for Call {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -10,7 +10,8 @@ use quick_xml::events::{BytesDecl, Event};
 
 use crate::elements::{
     Attributes, DERIVATIVES, Xml, borrowed, check_model, clean, credits, default_experiment, empty, has_start,
-    has_states, initial, is_real, log_categories, nominal, parent, real, structure_note, text, type_name, units,
+    has_states, initial, interface, is_real, log_categories, nominal, parent, real, structure_note, text, type_name,
+    units,
 };
 use crate::error::Error;
 use ancf14::fmi::About;
@@ -69,9 +70,7 @@ fn model_exchange(xml: &mut Xml, about: &About) -> io::Result<()> {
         ("canSerializeFMUstate", "true"),
         ("providesDirectionalDerivative", "true"),
     ];
-    let element = xml.create_element("ModelExchange").with_attribute(("modelIdentifier", about.identifier.as_str()));
-    element.with_attributes(flags).write_empty()?;
-    Ok(())
+    interface(xml, "ModelExchange", about, &flags)
 }
 
 /// What the unit can do: all but asynchronous steps.
@@ -88,9 +87,7 @@ fn co_simulation(xml: &mut Xml, about: &About) -> io::Result<()> {
         ("canSerializeFMUstate", "true"),
         ("providesDirectionalDerivative", "true"),
     ];
-    let element = xml.create_element("CoSimulation").with_attribute(("modelIdentifier", about.identifier.as_str()));
-    element.with_attributes(flags).write_empty()?;
-    Ok(())
+    interface(xml, "CoSimulation", about, &flags)
 }
 
 /// One type for each kind of quantity.

@@ -228,6 +228,13 @@ pub(crate) fn borrowed<'a>(attributes: &'a Attributes<'_>) -> impl Iterator<Item
     attributes.iter().map(|(name, value)| (*name, value.as_ref()))
 }
 
+/// The element of a purpose of a unit, `ModelExchange` or `CoSimulation`, with what it can do.
+pub(crate) fn interface(xml: &mut Xml, name: &str, about: &About, flags: &[(&str, &str)]) -> io::Result<()> {
+    let element = xml.create_element(name).with_attribute(("modelIdentifier", about.identifier.as_str()));
+    element.with_attributes(flags.iter().copied()).write_empty()?;
+    Ok(())
+}
+
 pub(crate) fn empty(xml: &mut Xml, name: &str, attributes: Attributes<'_>) -> io::Result<()> {
     xml.create_element(name).with_attributes(borrowed(&attributes)).write_empty()?;
     Ok(())

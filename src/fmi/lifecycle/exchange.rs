@@ -62,18 +62,8 @@ pub(super) fn never(call: Call) -> Option<&'static str> {
         | GetStringStatus
         | EnterStepMode => Some("it belongs to co-simulation, and this instance is for Model Exchange"),
         EvaluateDiscreteStates => Some("this unit has no discrete states; providesEvaluateDiscreteStates is false"),
-        EnterEventMode
-        | UpdateDiscreteStates
-        | EnterContinuousTimeMode
-        | CompletedIntegratorStep
-        | SetTime
-        | SetContinuousStates
-        | GetContinuousStateDerivatives
-        | GetEventIndicators
-        | GetContinuousStates
-        | GetNominalsOfContinuousStates
-        | GetNumberOfEventIndicators
-        | GetNumberOfContinuousStates => None,
+        EnterEventMode | UpdateDiscreteStates => None,
+        own if own.is_of_model_exchange() => None,
         other => fmi3::never(other),
     }
 }

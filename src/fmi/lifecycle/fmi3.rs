@@ -97,16 +97,9 @@ pub(super) fn never(call: Call) -> Option<&'static str> {
         | SetIntervalDecimal | SetIntervalFraction | SetShiftDecimal | SetShiftFraction => {
             Some("this unit has no clocks")
         }
-        EnterContinuousTimeMode
-        | CompletedIntegratorStep
-        | SetTime
-        | SetContinuousStates
-        | GetContinuousStateDerivatives
-        | GetEventIndicators
-        | GetContinuousStates
-        | GetNominalsOfContinuousStates
-        | GetNumberOfEventIndicators
-        | GetNumberOfContinuousStates => Some("it belongs to Model Exchange, and this instance is for co-simulation"),
+        own if own.is_of_model_exchange() => {
+            Some("it belongs to Model Exchange, and this instance is for co-simulation")
+        }
         ActivateModelPartition => Some("it belongs to scheduled execution, which this unit does not have"),
         _ => None,
     }
