@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 pub struct Wishes {
     #[command(flatten)]
     place: Place,
-    /// Largest error, as a share of the largest response: 0.01 or 1% [default: 1%]
+    /// Largest error, as a share of the response to a sudden change of an input: 0.01 or 1% [default: 1%]
     #[arg(long, value_name = "ERROR", value_parser = error, conflicts_with = "order")]
     error: Option<f64>,
     /// Number of states instead
@@ -78,13 +78,14 @@ pub fn reduce(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -
         voice::deliver(json!({ "order": order, "states": whole, "kept": kept, "bound": bound, "error": error }));
         return Ok(());
     }
-    let bound =
-        bound.map_or_else(String::new, |bound| format!(", the error is at most {bound:.1e} of the largest response"));
+    let bound = bound.map_or_else(String::new, |bound| {
+        format!(", the error is at most {bound:.1e} of the response to a sudden change")
+    });
     let kept = if *kept > 0 { format!(", {kept} of them kept exactly") } else { String::new() };
     say(&format!("{whole} states reduced to {order}{kept}{bound}: {}", wishes.output.display()))?;
     if wishes.check || wishes.method == Way::Modal {
         say(&format!(
-            "the largest error at the frequencies that were looked at is {error:.1e} of the largest response"
+            "the largest error at the frequencies that were looked at is {error:.1e} of the response to a sudden change"
         ))?;
     }
     Ok(())

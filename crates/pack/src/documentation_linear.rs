@@ -52,8 +52,12 @@ pub fn write(out: &mut String, origin: &Origin, variables: &[Variable]) -> Resul
         Some(Reduction { whole, kept, bound, error }) => {
             let kept = if *kept > 0 { format!(", {kept} of them kept exactly") } else { String::new() };
             let bound = match bound {
-                Some(bound) => format!("at most {bound:.1e} of the largest response at any frequency"),
-                None => format!("{error:.1e} of the largest response at the frequencies that were looked at"),
+                Some(bound) => {
+                    format!("at most {bound:.1e} of the response to a sudden change of an input, at any frequency")
+                }
+                None => format!(
+                    "{error:.1e} of the response to a sudden change of an input, at the frequencies that were looked at"
+                ),
             };
             writeln!(out, "reduced from {whole} states to {order}{kept}. The error of the reduction is {bound}.</p>")?;
         }

@@ -15,9 +15,9 @@ pub struct Reduction {
     pub whole: usize,
     /// States that are kept exactly.
     pub kept: usize,
-    /// The bound of the error over the largest response; none: the method has none.
+    /// The bound of the error over the response to a sudden change of an input; none: the method has none.
     pub bound: Option<f64>,
-    /// The largest error that responses show, over the largest response.
+    /// The largest error that responses show, over the same.
     pub error: f64,
 }
 

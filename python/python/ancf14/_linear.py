@@ -48,9 +48,9 @@ class Linearization:
     time: float
     """The time of that state, s."""
     bound: float | None
-    """Of a reduced system by balanced truncation the bound of its error, over the largest response."""
+    """Of a reduced system by balanced truncation the bound of its error, over the response to a sudden change of an input."""
     error: float | None
-    """Of a reduced system the largest error that responses at many frequencies show, over the largest response."""
+    """Of a reduced system the largest error that responses at many frequencies show, over the response to a sudden change of an input."""
     _native: LinearSystem = field(repr=False)
     _simulation: Simulation = field(repr=False)
 
@@ -108,7 +108,7 @@ class Linearization:
         return np.where(rigid, 0.0, -poles.real / size)
 
     def reduce(self, error: float | None = None, order: int | None = None, method: str = "balanced") -> Linearization:
-        """Return the system with fewer states: as few as keep the ``error``, a share of the largest response (default 0.01), or ``order`` of them.
+        """Return the system with fewer states: as few as keep the ``error``, a share of the response to a sudden change of an input (default 0.01), or ``order`` of them.
 
         ``method`` is ``"balanced"``, with a bound of the error, or ``"modal"``: the modes with the largest peaks, and the static responses of the others.
         """

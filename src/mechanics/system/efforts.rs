@@ -5,7 +5,7 @@ use super::equations::{add, add_corner, copy_corner};
 use super::tangent_layout::TangentLayout;
 use crate::math::blocks::{Block, Blocks};
 use crate::mechanics::force::actuator::{self, Actuator, EffortGuide};
-use crate::mechanics::force::effort_law::{EffortLaw, Reading};
+use crate::mechanics::force::effort_law::{EffortLaw, Reading, Way};
 use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, MarkerVector};
 use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
@@ -15,13 +15,21 @@ impl System {
     /// [`Actuator::at`] gives.
     pub fn effort(&self, actuator: &Actuator, c: &Configuration, passage: &Passage, given: f64, time: f64) -> f64 {
         match &actuator.guide {
-            EffortGuide::Law(law) => given * (law.function)(time, &self.readings(law, c, passage), usize::MAX)[0],
+            EffortGuide::Law(law) => given * law.over(&self.way(law, c, passage, time)),
             EffortGuide::Signal(_) | EffortGuide::Host => given,
         }
     }
 
-    fn readings(&self, law: &EffortLaw, c: &Configuration, passage: &Passage) -> Vec<f64> {
-        law.readings.iter().map(|reading| reading.value(&self.relative_coordinates, c, passage)).collect()
+    /// What an effort reads as the system passes through `c`.
+    fn way(&self, law: &EffortLaw, c: &Configuration, passage: &Passage, time: f64) -> Way {
+        let (all, readings) = (&self.relative_coordinates, law.readings.iter());
+        let halves = match passage {
+            Passage::Step(step) if law.has_corners => {
+                Some(readings.clone().map(|reading| reading.half_of_way(all, step)).collect())
+            }
+            _ => None,
+        };
+        Way { time, values: readings.map(|reading| reading.value(all, c, passage)).collect(), halves }
     }
 
     /// All actuators with their efforts.
@@ -127,10 +135,10 @@ impl System {
         let mut first = TangentLayout::of(self).first_reading();
         for (actuator, given) in self.actuators.iter().zip(&excitation.efforts) {
             let EffortGuide::Law(law) = &actuator.guide else { continue };
-            let values = self.readings(law, c, passage);
+            let way = self.way(law, c, passage, excitation.time);
             let own = self.relative_coordinates[actuator.coordinate].gradient(c);
             for (place, reading) in law.readings.iter().enumerate() {
-                let [_, slope] = (law.function)(excitation.time, &values, place);
+                let slope = law.slope(&way, place);
                 let other = gradient(*reading, c, passage);
                 let mut parts = [MarkerMatrix::zeros(); 4];
                 for (number, part) in parts.iter_mut().enumerate() {

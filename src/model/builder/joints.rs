@@ -186,7 +186,8 @@ impl Builder<'_> {
         if readings.is_empty() {
             EffortGuide::Signal(own)
         } else {
-            EffortGuide::Law(EffortLaw { signal: own, function, readings })
+            let has_corners = self.document.function(number).has_corners();
+            EffortGuide::Law(EffortLaw { signal: own, function, readings, has_corners })
         }
     }
 

@@ -49,6 +49,7 @@ pub fn retune(document: &Document, system: &mut System) {
             EffortGuide::Law(law) => {
                 law.signal = signal(document, written.effort);
                 law.function = effort(document, written.effort);
+                law.has_corners = document.function(written.effort).has_corners();
             }
             EffortGuide::Host => {}
         }

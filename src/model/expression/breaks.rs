@@ -27,6 +27,24 @@ impl Line {
     }
 }
 
+/// Whether a program may have corners, or jumps. Functions of the file may have them.
+pub(super) fn has_corners(program: &Program) -> bool {
+    let corners = |operation: &Operation| match operation {
+        Operation::Unary(function) => matches!(function, Unary::Abs | Unary::Sign | Unary::Floor | Unary::Ceil),
+        Operation::Binary(function) => !matches!(
+            function,
+            Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide | Binary::Power | Binary::Atan2
+        ),
+        Operation::Ternary(_) | Operation::Call(_) => true,
+        Operation::Constant(_)
+        | Operation::Parameter(_)
+        | Operation::Variable
+        | Operation::Rate
+        | Operation::Reading(_) => false,
+    };
+    program.operations().iter().any(corners)
+}
+
 /// The corners of a program with bound parameters, in any order; of tables that repeat themselves those in `range`.
 pub(super) fn breaks(program: &Program, range: [f64; 2]) -> Vec<f64> {
     let mut found = Vec::new();

@@ -1,6 +1,6 @@
 //! A number that may depend on time (or on the curve parameter): one expression, or pieces with ascending limits.
 
-use super::breaks::breaks;
+use super::breaks::{breaks, has_corners};
 use super::program::Undefined;
 use super::{Jet, Program};
 use crate::math::bounds::Bounds;
@@ -146,6 +146,11 @@ impl Function {
         all.sort_unstable();
         all.dedup();
         all
+    }
+
+    /// Whether it may have corners, or jumps, besides those between its pieces.
+    pub fn has_corners(&self) -> bool {
+        self.pieces.iter().any(has_corners)
     }
 
     /// Whether the rate of the variable occurs.

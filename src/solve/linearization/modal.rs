@@ -49,6 +49,34 @@ impl Modes {
         }
     }
 
+    /// Those `chosen`, whose pairs are whole, and the others.
+    pub fn divided(&self, chosen: &[usize]) -> [Self; 2] {
+        [true, false].map(|wanted| {
+            let own = (0..self.poles.len()).filter(|number| chosen.contains(number) == wanted);
+            let own: Vec<usize> = own.collect();
+            let of = |lists: &[Vec<Complex>]| own.iter().map(|number| lists[*number].clone()).collect();
+            Self {
+                poles: own.iter().map(|number| self.poles[*number]).collect(),
+                seen: of(&self.seen),
+                moved: of(&self.moved),
+            }
+        })
+    }
+
+    /// The largest response of a mode alone to a vibration of all inputs.
+    pub fn height(&self, number: usize) -> f64 {
+        length(&self.seen[number]) * length(&self.moved[number]) / -self.poles[number].re
+    }
+
+    /// Chooses the coordinates in which inputs move a mode as outputs see it, over `scale` squared.
+    pub fn balance(&mut self, scale: f64) {
+        for (seen, moved) in self.seen.iter_mut().zip(&mut self.moved) {
+            let factor = (length(seen) / length(moved)).sqrt() / scale;
+            seen.iter_mut().for_each(|value| *value /= factor);
+            moved.iter_mut().for_each(|value| *value *= factor);
+        }
+    }
+
     /// Adds `factor/(iω − λ)` of mode `number` to a response, column after column; and, where `corrected`, `factor/λ`.
     pub fn add(&self, number: usize, omega: f64, corrected: bool, sum: &mut [Complex]) {
         let pole = self.poles[number];
@@ -105,6 +133,10 @@ impl Modes {
             _ => number,
         }
     }
+}
+
+fn length(vector: &[Complex]) -> f64 {
+    vector.iter().map(Complex::norm_sqr).sum::<f64>().sqrt()
 }
 
 /// The modes that last and those that fade; of a pair the one with the positive imaginary part first.

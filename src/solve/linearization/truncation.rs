@@ -3,7 +3,10 @@
 //!
 //! Poles at 0, and poles that do not fade, have no Gramians. They are split off first and kept as they are; the stable
 //! rest is reduced. `‖G − G_r‖∞ ≤ 2 Σ σ` over the Hankel singular values that are left out (Enns 1984, Glover 1984).
-//! Outputs and inputs are measured by their largest responses, so that units do not matter.
+//! Balanced matrices know the damping of a mode up to the round-off of the stiffest one. Modes that hardly fade, and
+//! count, are therefore kept as they are too.
+//! Outputs and inputs are measured by the responses to sudden changes, so that neither units matter nor how high the
+//! peaks of vibrations are that hardly fade: a small share of such a peak may be far more than what motions show.
 
 use super::gramian::{factor, real};
 use super::modal::{Modes, norm, pairs};
@@ -15,8 +18,10 @@ use crate::solve::linear::dense::{Complex, Dense, PivotedQr};
 const ROUND_OFF: f64 = 1e-9;
 /// Factor that makes states that integrate inputs the first ones of the pivots.
 const FIRST: f64 = 1e6;
-/// An output whose largest response is below this share of that of another one with the same unit has none.
+/// An output whose response is below this share of that of another one with the same unit has none.
 const SILENT: f64 = 1e-9;
+/// A mode with a smaller damping ratio hardly fades.
+const LIGHT: f64 = 1e-3;
 /// Frequencies at which responses are compared, besides those of the poles.
 const GRID: usize = 400;
 /// Factor by which they reach beyond the least and the largest pole.
@@ -34,7 +39,7 @@ pub enum Method {
 /// How many states stay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Size {
-    /// The fewest that keep this error, as a share of the largest response.
+    /// The fewest that keep this error, as a share of the response to a sudden change of an input.
     Error(f64),
     /// So many, those included that are always kept.
     Order(usize),
@@ -75,9 +80,10 @@ pub struct Truncated {
     pub origins: Vec<Origin>,
     /// Number of states that are kept exactly: of poles that do not fade.
     pub kept: usize,
-    /// The bound of the error, over the largest response; none: the method has none.
+    /// The bound of the error at any frequency, over the response to a sudden change of an input; none: the method has
+    /// none.
     pub bound: Option<f64>,
-    /// The largest error that the responses show, over the largest response.
+    /// The largest error that the responses show, over the same.
     pub error: f64,
 }
 
@@ -114,21 +120,19 @@ pub fn reduce(system: &Whole, size: Size, method: Method) -> Result<Truncated, R
         return Err(Refusal::Kept(kept));
     }
     let grid = grid(&modes.poles);
-    let units = units(&modes, &whole.d, kinds, &grid);
+    let units = units(&modes, &whole.d, kinds);
     modes.scale([&units[0], &units[1]]);
-    let [d, mut own_d] = [scaled(&whole.d, &units), Dense::zeros(whole.d.rows, whole.d.columns)];
-    let peak = grid.iter().map(|omega| norm(&plus(&modes.response(*omega, d.values.len()), &d), d.rows));
-    let peak = peak.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+    let mut own_d = Dense::zeros(whole.d.rows, whole.d.columns);
 
-    let ([a, b, c], origin, bound, error) = match method {
+    let (StateSpace { a, b, c, .. }, exact, bound, error) = match method {
         Method::Balanced => {
-            let (matrices, bound, error) = balance(&modes, size, kept, peak, &grid)?;
-            (matrices, Origin::Balanced, Some(bound), error)
+            let Balanced { matrices, exact, bound, error } = balance(&modes, size, kept, &grid)?;
+            (matrices, exact, Some(bound), error)
         }
         Method::Modal => {
-            let (chosen, error, correction) = choose(&modes, size, kept, peak, &grid);
+            let (chosen, error, correction) = choose(&modes, size, kept, &grid);
             own_d = correction;
-            (modes.real(&chosen), Origin::Mode, None, error)
+            (together(&[modes.real(&chosen)], &own_d), chosen.len(), None, error)
         }
     };
     let [outputs, inputs] = &units;
@@ -143,10 +147,11 @@ pub fn reduce(system: &Whole, size: Size, method: Method) -> Result<Truncated, R
     }
     own_d.values.iter_mut().zip(&whole.d.values).for_each(|(own, whole)| *own += whole);
     let mut all = origins;
-    all.extend(vec![Origin::Mode; lasting.poles.len()]);
-    all.extend(vec![origin; own[0].rows]);
+    all.extend(vec![Origin::Mode; lasting.poles.len() + exact]);
+    all.extend(vec![Origin::Balanced; own[0].rows - exact]);
     parts.push(own);
-    Ok(Truncated { matrices: together(&parts, own_d), origins: all, kept, bound, error })
+    let kept = if bound.is_some() { kept + exact } else { kept };
+    Ok(Truncated { matrices: together(&parts, &own_d), origins: all, kept, bound, error })
 }
 
 /// The part of the poles at 0 in states of the whole system, with these, and the rest.
@@ -236,13 +241,16 @@ fn grid(poles: &[Complex]) -> Vec<f64> {
     grid
 }
 
-/// The largest responses of outputs, and then of inputs in these: what both are measured in.
-fn units(modes: &Modes, d: &Dense, kinds: &[usize], grid: &[f64]) -> [Vec<f64>; 2] {
+/// The responses of outputs to sudden changes of inputs, and then of inputs in these: what both are measured in. Such a
+/// response is at most the sum of what it moves each mode by, `|C x| |yᵀ B| / |λ|`, and at most twice that for a time.
+fn units(modes: &Modes, d: &Dense, kinds: &[usize]) -> [Vec<f64>; 2] {
     let mut largest = Dense::zeros(d.rows, d.columns);
-    for omega in grid {
-        let response = plus(&modes.response(*omega, d.values.len()), d);
-        let sizes = response.iter().map(|value| value.norm());
-        largest.values.iter_mut().zip(sizes).for_each(|(largest, size)| *largest = largest.max(size));
+    largest.values.iter_mut().zip(&d.values).for_each(|(own, d)| *own = d.abs());
+    for ((pole, seen), moved) in modes.poles.iter().zip(&modes.seen).zip(&modes.moved) {
+        for (column, moved) in moved.iter().enumerate() {
+            let parts = seen.iter().map(|seen| (seen * moved / pole).norm());
+            largest.column_mut(column).iter_mut().zip(parts).for_each(|(own, part)| *own += part);
+        }
     }
     let or_one = |value: f64| if value > 0.0 { value } else { 1.0 };
     let own = |row: usize| (0..d.columns).map(|column| largest.at(row, column)).fold(0.0, f64::max);
@@ -260,69 +268,123 @@ fn units(modes: &Modes, d: &Dense, kinds: &[usize], grid: &[f64]) -> [Vec<f64>; 
     [outputs, inputs]
 }
 
-fn scaled(d: &Dense, [outputs, inputs]: &[Vec<f64>; 2]) -> Dense {
-    let mut own = d.clone();
-    for (column, unit) in inputs.iter().enumerate() {
-        own.column_mut(column).iter_mut().zip(outputs).for_each(|(value, output)| *value *= unit / output);
-    }
-    own
+/// The factors of both Gramians, and the Hankel singular values with their vectors.
+struct Hankel {
+    reachable: Dense,
+    observable: Dense,
+    u: Dense,
+    singular: Vec<f64>,
+    v: Dense,
 }
 
-fn plus(response: &[Complex], d: &Dense) -> Vec<Complex> {
-    response.iter().zip(&d.values).map(|(value, d)| value + d).collect()
-}
-
-/// Balanced truncation: `A`, `B`, `C`, the bound, and the error that responses show.
-fn balance(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> Result<([Dense; 3], f64, f64), Refusal> {
-    let count = modes.poles.len();
-    let partners: Vec<usize> = (0..count).map(|number| modes.partner(number)).collect();
-    let conjugate = |values: &[Complex]| values.iter().map(Complex::conj).collect::<Vec<_>>();
-    let reachable = real(&factor(&modes.poles, &modes.moved), &modes.poles, &partners);
-    let seen: Vec<Vec<Complex>> = modes.seen.iter().map(|own| conjugate(own)).collect();
-    let observable = real(&factor(&conjugate(&modes.poles), &seen), &modes.poles, &partners);
-    if reachable.columns == 0 || observable.columns == 0 {
-        return Ok((modes.real(&[]), 0.0, 0.0));
+impl Hankel {
+    fn new(modes: &Modes) -> Result<Self, Refusal> {
+        let partners: Vec<usize> = (0..modes.poles.len()).map(|number| modes.partner(number)).collect();
+        let conjugate = |values: &[Complex]| values.iter().map(Complex::conj).collect::<Vec<_>>();
+        let reachable = real(&factor(&modes.poles, &modes.moved), &modes.poles, &partners);
+        let seen: Vec<Vec<Complex>> = modes.seen.iter().map(|own| conjugate(own)).collect();
+        let observable = real(&factor(&conjugate(&modes.poles), &seen), &modes.poles, &partners);
+        let is_empty = reachable.columns == 0 || observable.columns == 0;
+        let (u, singular, v) = match is_empty {
+            true => (Dense::zeros(0, 0), Vec::new(), Dense::zeros(0, 0)),
+            false => observable.transposed().product(&reachable).singular()?,
+        };
+        Ok(Self { reachable, observable, u, singular, v })
     }
-    let (u, singular, v) = observable.transposed().product(&reachable).singular()?;
-    // Sums from the end on: of each order the bound.
-    let mut bounds = vec![0.0; singular.len() + 1];
-    (0..singular.len()).rev().for_each(|order| bounds[order] = bounds[order + 1] + 2.0 * singular[order] / peak);
-    let most = singular.iter().filter(|own| **own > f64::EPSILON * singular[0]).count();
-    let order = match size {
-        Size::Order(order) => (order - kept).min(most),
-        Size::Error(error) => bounds.iter().position(|bound| *bound <= error).unwrap_or(most).min(most),
-    };
-    let (mut right, mut left) = (Dense::zeros(count, order), Dense::zeros(count, order));
-    for (own, singular) in singular.iter().enumerate().take(order) {
-        let root = singular.sqrt();
-        let parts = [(&mut right, reachable.times(v.column(own))), (&mut left, observable.times(u.column(own)))];
-        for (target, values) in parts {
-            target.column_mut(own).iter_mut().zip(values).for_each(|(target, value)| *target = value / root);
+
+    /// The number of states that stay beside `kept` ones, and the bound of the error.
+    fn order(&self, size: Size, kept: usize) -> (usize, f64) {
+        // Sums from the end on: of each order the bound.
+        let mut bounds = vec![0.0; self.singular.len() + 1];
+        for order in (0..self.singular.len()).rev() {
+            bounds[order] = bounds[order + 1] + 2.0 * self.singular[order];
         }
+        let most = self.singular.iter().filter(|own| **own > f64::EPSILON * self.singular[0]).count();
+        let order = match size {
+            Size::Order(order) => (order - kept).min(most),
+            Size::Error(error) => bounds.iter().position(|bound| *bound <= error).unwrap_or(most).min(most),
+        };
+        (order, bounds[order])
     }
-    let left = left.transposed();
-    let [a, b, c] = modes.real(&(0..count).collect::<Vec<_>>());
+
+    /// What takes states to the first `order` balanced ones, and back. States are measured by `scale`.
+    fn projection(&self, order: usize, scale: f64) -> [Dense; 2] {
+        let count = self.reachable.rows;
+        let (mut left, mut right) = (Dense::zeros(count, order), Dense::zeros(count, order));
+        for (own, singular) in self.singular.iter().enumerate().take(order) {
+            let root = singular.sqrt();
+            let parts = [
+                (&mut right, self.reachable.times(self.v.column(own)), scale / root),
+                (&mut left, self.observable.times(self.u.column(own)), 1.0 / (root * scale)),
+            ];
+            for (target, values, factor) in parts {
+                target.column_mut(own).iter_mut().zip(values).for_each(|(target, value)| *target = value * factor);
+            }
+        }
+        [left.transposed(), right]
+    }
+}
+
+/// A system by balanced truncation.
+struct Balanced {
+    /// Its matrices; `D` is 0.
+    matrices: StateSpace,
+    /// Number of its first states, which are coordinates of modes.
+    exact: usize,
+    /// The bound of the error.
+    bound: f64,
+    /// The largest error that responses show.
+    error: f64,
+}
+
+/// Balanced truncation. Modes that hardly fade stay as they are if the states that are left out count less.
+fn balance(modes: &Modes, size: Size, kept: usize, grid: &[f64]) -> Result<Balanced, Refusal> {
+    let whole = Hankel::new(modes)?;
+    let (order, _) = whole.order(size, kept);
+    let largest = whole.singular.first().copied().unwrap_or(1.0);
+    let light = light(modes, whole.singular.get(order).copied().unwrap_or(0.0), order);
+    let [mut exact, rest] = modes.divided(&light);
+    // White noise of size 1 on an input moves the first state to 1/√2, however little it fades: numbers that users add
+    // to covariances of states would otherwise have to follow the damping.
+    let scale = (2.0 * largest).sqrt();
+    exact.balance(scale);
+    let hankel = if light.is_empty() { whole } else { Hankel::new(&rest)? };
+    let (order, bound) = hankel.order(size, kept + light.len());
+    let [left, right] = hankel.projection(order, scale);
+    let [a, b, c] = rest.real(&(0..rest.poles.len()).collect::<Vec<_>>());
     let reduced = [left.product(&a).product(&right), left.product(&b), c.product(&right)];
     let own = reduced[0].eigensystem()?;
     let own = Modes::new(&own.iter().collect::<Vec<_>>(), &reduced[1], &reduced[2]);
-    let outputs = reduced[2].rows;
-    let numbers = outputs * reduced[1].columns;
+    let (outputs, inputs) = (c.rows, b.columns);
     let errors = grid.iter().map(|omega| {
-        let [whole, small] = [modes, &own].map(|modes| modes.response(*omega, numbers));
+        let [whole, small] = [&rest, &own].map(|modes| modes.response(*omega, outputs * inputs));
         let lack: Vec<Complex> = whole.iter().zip(small).map(|(whole, small)| whole - small).collect();
         norm(&lack, outputs)
     });
-    let error = errors.fold(0.0, f64::max) / peak;
-    Ok((reduced, bounds[order], error))
+    let error = errors.fold(0.0, f64::max);
+    let parts = [exact.real(&(0..light.len()).collect::<Vec<_>>()), reduced];
+    Ok(Balanced { matrices: together(&parts, &Dense::zeros(outputs, inputs)), exact: light.len(), bound, error })
+}
+
+/// Modes that hardly fade, and whose own Hankel singular values, half of their peaks, are above `limit`: at most `most`
+/// of them, whole pairs, in their order.
+fn light(modes: &Modes, limit: f64, most: usize) -> Vec<usize> {
+    let is_light = |own: &usize| {
+        let pole = modes.poles[*own];
+        pole.im > 0.0 && -pole.re < LIGHT * pole.norm() && modes.height(*own) / 2.0 > limit
+    };
+    let mut found: Vec<usize> = (0..modes.poles.len()).filter(is_light).collect();
+    found.sort_by(|a, b| modes.height(*b).total_cmp(&modes.height(*a)));
+    found.truncate(most / 2);
+    found.sort_unstable();
+    found.into_iter().flat_map(|own| [own, modes.partner(own)]).collect()
 }
 
 /// The modes with the largest peaks, the error that responses show, and the static responses of the others.
-fn choose(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> (Vec<usize>, f64, Dense) {
+fn choose(modes: &Modes, size: Size, kept: usize, grid: &[f64]) -> (Vec<usize>, f64, Dense) {
     let [outputs, inputs] = [&modes.seen, &modes.moved].map(|lists| lists.first().map_or(0, Vec::len));
-    let length = |vector: &[Complex]| vector.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
-    let height = |own: &usize| length(&modes.seen[*own]) * length(&modes.moved[*own]) / -modes.poles[*own].re;
     let mut order: Vec<usize> = (0..modes.poles.len()).filter(|own| modes.poles[*own].im >= 0.0).collect();
-    order.sort_by(|a, b| height(b).total_cmp(&height(a)));
+    order.sort_by(|a, b| modes.height(*b).total_cmp(&modes.height(*a)));
     let whole = |own: usize| if modes.partner(own) == own { vec![own] } else { vec![own, modes.partner(own)] };
     // The lacks with all modes left out.
     let mut lacks = vec![vec![Complex::from(0.0); outputs * inputs]; grid.len()];
@@ -335,7 +397,7 @@ fn choose(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> (V
             }
         }
     };
-    let error = |lacks: &[Vec<Complex>]| lacks.iter().map(|own| norm(own, outputs)).fold(0.0, f64::max) / peak;
+    let error = |lacks: &[Vec<Complex>]| lacks.iter().map(|own| norm(own, outputs)).fold(0.0, f64::max);
     order.iter().for_each(|own| add(&mut lacks, *own, 1.0));
     let (mut chosen, mut found) = (Vec::new(), error(&lacks));
     for own in &order {
@@ -362,7 +424,7 @@ fn choose(modes: &Modes, size: Size, kept: usize, peak: f64, grid: &[f64]) -> (V
 }
 
 /// The system of independent parts, `A`, `B`, `C` each.
-fn together(parts: &[[Dense; 3]], d: Dense) -> StateSpace {
+fn together(parts: &[[Dense; 3]], d: &Dense) -> StateSpace {
     let states = parts.iter().map(|[a, _, _]| a.rows).sum();
     let [mut a, mut b, mut c] =
         [Dense::zeros(states, states), Dense::zeros(states, d.columns), Dense::zeros(d.rows, states)];
@@ -378,5 +440,5 @@ fn together(parts: &[[Dense; 3]], d: Dense) -> StateSpace {
         }
         first += count;
     }
-    StateSpace { a, b, c, d }
+    StateSpace { a, b, c, d: d.clone() }
 }

@@ -54,3 +54,26 @@ fn energy_stays_between_contacts() {
         }
     }
 }
+
+const EFFORTS: &str = "[actuator.walls]\njoint = \"rail\"\ncoordinate = \"distance\"\n\
+     effort = \"-1e6*max(rail.distance - 0.2, 0) + 1e6*max(-0.2 - rail.distance, 0)\"\n";
+
+/// Walls that are written as the effort of an actuator are walls too: between them the block keeps its energy, with the
+/// tolerances of above. The effort in the middle of each step turned 0.5 J into 2 MJ within 20 s.
+#[test]
+fn walls_that_are_efforts_give_back_what_they_take() {
+    for (overrides, tolerance) in [(&[][..], 1e-6), (&[("simulation.step", "5e-3")], 2.5e-3)] {
+        let run = Curves::run(&block(EFFORTS, 20.0), overrides);
+        let (mut turns, mut last) = (0, 1.0);
+        let rows = run.time.iter().zip(run.column("seen.distance")).zip(run.column("seen.distance_rate"));
+        for ((time, distance), rate) in rows {
+            turns += i32::from(rate * last < 0.0);
+            last = rate;
+            if distance.abs() < 0.2 {
+                let energy = 0.5 * rate * rate;
+                assert!((energy - 0.5).abs() < tolerance, "{overrides:?}, {time} s: {energy} J");
+            }
+        }
+        assert!(turns > 40, "{overrides:?}: the block comes to a wall every 0.4 s, and turned {turns} times");
+    }
+}

@@ -80,7 +80,7 @@ fn linear_systems_are_packed() {
         for words in [
             "The linear system of A &amp; B about the state at t = 0 s",
             "reduced from 226 states to 8, 2 of them kept exactly",
-            "at most 1.3e-3 of the largest response",
+            "at most 1.3e-3 of the response to a sudden change of an input",
             "<td>0.000000</td><td></td>",
             "<td>1.012586</td><td>0.1572</td>",
             "small motions",

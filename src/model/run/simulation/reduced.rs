@@ -21,9 +21,9 @@ pub struct Reduced {
     pub whole: usize,
     /// How many states are kept exactly: those of poles that do not fade.
     pub kept: usize,
-    /// The bound of the error over the largest response; none: the method has none.
+    /// The bound of the error over the response to a sudden change of an input; none: the method has none.
     pub bound: Option<f64>,
-    /// The largest error that the responses at many frequencies show, over the largest response.
+    /// The largest error that the responses at many frequencies show, over the same.
     pub error: f64,
 }
 
