@@ -5,10 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Numbers of each, at most.
-const COMMENTS_WITH_WHAT: usize = 512;
-const COMMENTS_WITH_PREPOSITION: usize = 315;
-const PLACES: usize = 2067;
-const LONG_LINES: usize = 126;
+const COMMENTS_WITH_WHAT: usize = 510;
+const COMMENTS_WITH_PREPOSITION: usize = 314;
+const PLACES: usize = 2064;
+const LONG_LINES: usize = 125;
 /// How many fewer there may be before the number must be written anew.
 const SLACK: usize = 20;
 

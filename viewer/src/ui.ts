@@ -44,7 +44,8 @@ export class Page {
     const { player } = this;
     // A single instant: nothing moves.
     const still = player.run.times.length < 2 && data.modes.length === 0;
-    const usual = data.scene.water ? "axial_force" : "bending_moment";
+    // Lines in water, and ropes that run over something, are looked at for their tension.
+    const usual = data.scene.water || data.scene.surfaces?.length ? "axial_force" : "bending_moment";
     player.colorBy(data.scene.beams.some((beam) => beam.stress) ? "stress" : data.scene.beams.length > 0 ? usual : "");
     // As drawn, beams bear nothing.
     if (still && player.range[0] === player.range[1]) player.colorBy("");

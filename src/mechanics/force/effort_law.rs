@@ -2,8 +2,8 @@
 //!
 //! `e(t, x₁, x₂, …)` of coordinates and their rates. Over a step a coordinate is the mean of both its ends and its rate
 //! the mean rate, so that the effort is implicit, and exact in the tangent. Where the expression has a corner between
-//! both ends, the effort is its mean over the way: walls and ropes that are written as efforts then work exactly as much
-//! on the way out as they have taken on the way in.
+//! both ends, the effort is its mean over the way. Walls and ropes that are written as efforts then return exactly the
+//! work that they have taken.
 
 use crate::math::integral::{integral_to_ends, integral_within};
 use crate::mechanics::geometry::marker_jacobian::MarkerVector;
@@ -54,12 +54,12 @@ impl fmt::Debug for EffortLaw {
     }
 }
 
-/// What an effort reads over a step, or at an instant.
+/// The readings of an effort over a step, or at an instant.
 #[derive(Clone, Debug)]
 pub struct Way {
     /// The time, s.
     pub time: f64,
-    /// What is read: coordinates in the middle of their way, rates.
+    /// The readings: coordinates in the middle of their way, rates.
     pub values: Vec<f64>,
     /// Half of the way of each, 0 of rates; none: there is no way, or it does not matter.
     pub halves: Option<Vec<f64>>,
@@ -71,7 +71,7 @@ impl EffortLaw {
         let value = |values: &[f64]| (self.function)(way.time, values, usize::MAX)[0];
         let Some(along) = Along::new(self, way) else { return value(&way.values) };
         let round_off = |values: &[f64]| -> f64 {
-            let of = |(place, read): (usize, &f64)| (read * (self.function)(way.time, values, place)[1]).abs();
+            let of = |(index, read): (usize, &f64)| (read * (self.function)(way.time, values, index)[1]).abs();
             f64::EPSILON * values.iter().enumerate().map(of).sum::<f64>()
         };
         let error = [0.0, 1.0].map(|share| along.at(share, round_off)).into_iter().fold(0.0, f64::max);
@@ -79,11 +79,11 @@ impl EffortLaw {
         integral_to_ends(&|share| along.at(share, value), 0.0, 1.0, error, INTERVALS)
     }
 
-    /// Its derivative with respect to what is read at `place`; of a coordinate twice that with respect to its end.
-    pub fn slope(&self, way: &Way, place: usize) -> f64 {
-        let slope = |values: &[f64]| (self.function)(way.time, values, place)[1];
+    /// Its derivative with respect to the reading of this index; of a coordinate twice that with respect to its end.
+    pub fn slope(&self, way: &Way, index: usize) -> f64 {
+        let slope = |values: &[f64]| (self.function)(way.time, values, index)[1];
         let Some(along) = Along::new(self, way) else { return slope(&way.values) };
-        let is_rate = self.readings[place].is_rate;
+        let is_rate = self.readings[index].is_rate;
         let weight = |share: f64| if is_rate { 1.0 } else { 2.0 * share };
         let size = [0.0, 0.5, 1.0].map(|share| along.at(share, slope).abs()).into_iter().fold(0.0, f64::max);
         integral_within(&|share| weight(share) * along.at(share, slope), 0.0, 1.0, SLOPE_ERROR * size)
@@ -109,7 +109,7 @@ impl<'a> Along<'a> {
         (!is_straight).then_some(along)
     }
 
-    /// What `take` finds where this share of the way lies behind.
+    /// The result of `take` at this share of the way.
     fn at(&self, share: f64, take: impl Fn(&[f64]) -> f64) -> f64 {
         let mut values = self.values.borrow_mut();
         let read = self.way.values.iter().zip(self.halves);

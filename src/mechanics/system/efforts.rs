@@ -20,7 +20,7 @@ impl System {
         }
     }
 
-    /// What an effort reads as the system passes through `c`.
+    /// The readings of an effort as the system passes through `c`.
     fn way(&self, law: &EffortLaw, c: &Configuration, passage: &Passage, time: f64) -> Way {
         let (all, readings) = (&self.relative_coordinates, law.readings.iter());
         let halves = match passage {
@@ -137,8 +137,8 @@ impl System {
             let EffortGuide::Law(law) = &actuator.guide else { continue };
             let way = self.way(law, c, passage, excitation.time);
             let own = self.relative_coordinates[actuator.coordinate].gradient(c);
-            for (place, reading) in law.readings.iter().enumerate() {
-                let slope = law.slope(&way, place);
+            for (index, reading) in law.readings.iter().enumerate() {
+                let slope = law.slope(&way, index);
                 let other = gradient(*reading, c, passage);
                 let mut parts = [MarkerMatrix::zeros(); 4];
                 for (number, part) in parts.iter_mut().enumerate() {

@@ -307,7 +307,7 @@ impl Hankel {
         (order, bounds[order])
     }
 
-    /// What takes states to the first `order` balanced ones, and back. States are measured by `scale`.
+    /// Matrices that take states to the first `order` balanced ones, and back. States are measured by `scale`.
     fn projection(&self, order: usize, scale: f64) -> [Dense; 2] {
         let count = self.reachable.rows;
         let (mut left, mut right) = (Dense::zeros(count, order), Dense::zeros(count, order));

@@ -5,9 +5,11 @@
 use crate::running::{run, start, value};
 use ancf14::fmi::Model;
 use ancf14::math::Vec3;
+use ancf14::mechanics::beam::ancf14::element::Element;
 use ancf14::mechanics::marker::sensor::Facing;
 use ancf14::mechanics::output::joint_loads::JointLoads;
 use ancf14::mechanics::output::section_loads::SectionLoads;
+use ancf14::mechanics::system::System;
 use ancf14::mechanics::system::frame_cache::FrameCache;
 use ancf14::model::file::entries::simulation::Analysis;
 use ancf14::model::simulation::Simulation;
@@ -27,6 +29,10 @@ struct Imbalance {
     nodes: usize,
 }
 
+fn elements_of(system: &System) -> impl Iterator<Item = &Element> {
+    system.mesh.elements.iter().filter_map(|element| element.ancf14())
+}
+
 fn imbalance(simulation: &Simulation) -> Imbalance {
     let (system, state) = (simulation.system(), simulation.state());
     let (mut responder, mut response) = (None, Response::default());
@@ -38,11 +44,12 @@ fn imbalance(simulation: &Simulation) -> Imbalance {
     let loads = SectionLoads { joints: &joints, acceleration: &response.acceleration };
     // At rest, a strain of 1e-14 is round-off of places over the length of an element: 1e-7 of what strains by this.
     let is_static = simulation.document().simulation.analysis == Analysis::Static;
-    let elements = system.mesh.elements.iter().filter_map(|element| element.ancf14());
-    let axial = elements.fold(0.0, |most: f64, element| element.stiffness.axial.max(most));
+    let axial = elements_of(system).fold(0.0, |most: f64, element| element.stiffness.axial.max(most));
     let least = if is_static { 1e-7 * axial } else { f64::MIN_POSITIVE };
     let (mut force, mut moment) = (least, least * system.size);
     let mut found = [Vec::new(), Vec::new(), Vec::new()];
+    // Moments are sums of forces times arms, with their round-off: those of a chain are far smaller than these.
+    let arm = elements_of(system).fold(0.0, |most: f64, element| element.length.max(most));
     for beam in &system.beams {
         for number in 0..beam.elements() {
             let element = loads.of_element(beam.first_element + number);
@@ -63,6 +70,7 @@ fn imbalance(simulation: &Simulation) -> Imbalance {
             }
         }
     }
+    moment = moment.max(force * arm);
     let nodes = found[0].len();
     let [at_nodes, inside, at_ends] = found
         .map(|all| all.into_iter().fold(0.0, |most: f64, (f, m)| most.max(f.norm() / force).max(m.norm() / moment)));

@@ -80,6 +80,20 @@ fn overrides(model: &Table, turn: &Mat3, shift: &Vec3) -> Vec<(String, String)> 
             }
         }
     }
+    let is_fixed = |part: &Value| part.get("on").is_none_or(|on| on.as_str() == Some("ground"));
+    for (kind, vectors) in [("point", &["offset"][..]), ("surface", &["offset", "axis", "normal"])] {
+        for (name, part) in each(kind) {
+            for key in vectors {
+                let is_place = *key == "offset";
+                match part.get(*key) {
+                    Some(value) if !is_place => list.push((format!("{name}.{key}"), turned(value, turn, &none))),
+                    Some(value) if is_fixed(&part) => list.push((format!("{name}.{key}"), turned(value, turn, shift))),
+                    // The axes of a body turn with it.
+                    _ => assert!(!is_place || !is_fixed(&part), "{name}: the origin is not moved: extend this test"),
+                }
+            }
+        }
+    }
     for (_, spring) in each("spring") {
         let on_ground = ["a", "b"].iter().any(|side| spring[*side].as_str() == Some("ground"));
         assert!(!on_ground, "the ground of a spring is the origin, which is not moved: extend this test");
@@ -190,7 +204,14 @@ fn turned_models_give_turned_results() {
         let (name, text) = (file.display().to_string(), std::fs::read_to_string(&file).unwrap());
         // Without copies: what is in them is turned too.
         let document = Document::parse(&name, &text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}"));
-        check(&mut random, &name, document.text(), &[], 10);
+        // The surface of the water and the seabed are level.
+        if document.text().parse::<Table>().unwrap().contains_key("water") {
+            continue;
+        }
+        // The lengths of steps that the solver chooses follow components, by a few percent.
+        let chosen = !document.text().contains("\nstep = ");
+        let given = [("simulation.step".to_owned(), document.output_step().to_string())];
+        check(&mut random, &name, document.text(), if chosen { &given } else { &[] }, 10);
     }
 }
 
@@ -267,5 +288,5 @@ fn check(random: &mut Random, name: &str, text: &str, more: &[(String, String)],
         }
     }
     println!("{name}: {compared} values, largest difference {:.1e} in {}", largest.0, largest.1);
-    assert!(compared > 50 && largest.0 < 1e-8, "{name}: {largest:?}");
+    assert!(compared > 20 && largest.0 < 1e-8, "{name}: {largest:?}");
 }
