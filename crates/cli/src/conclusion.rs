@@ -52,6 +52,7 @@ pub fn summary(
         iterations: statistics.iterations,
         rejected: statistics.rejected,
         wall_time: wall,
+        step_limits: simulation.step_limits(),
         time_step_errors: sorted(&simulation.estimated_errors()),
         mesh_errors: sorted(simulation.mesh_errors()),
         accuracy: outcome.map(|outcome| Accuracy {
@@ -119,6 +120,9 @@ pub fn tell(summary: &Summary, simulation: &Simulation, outcome: Option<&Outcome
     } else {
         format!("t = {reached} s: {counts}, {}", pace(*reached, *wall_time))
     })?;
+    if let Some(limits) = &summary.step_limits {
+        say(&format!("steps: {limits}"))?;
+    }
     if let Some(outcome) = outcome {
         say(&outcome.line())?;
     }

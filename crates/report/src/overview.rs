@@ -100,15 +100,17 @@ impl Overview<'_> {
             iterations,
             rejected,
             wall_time,
+            step_limits,
             time_step_errors,
             mesh_errors,
             accuracy,
             settings,
             ..
         } = self.summary;
+        let limits = step_limits.as_ref().map_or_else(String::new, |limits| format!("; {limits}"));
         let mut facts = vec![
             ("simulated time", format!("{reached} s"), format!("{rows} rows")),
-            ("steps", steps.to_string(), format!("{rejected} rejected, {iterations} Newton iterations")),
+            ("steps", steps.to_string(), format!("{rejected} rejected, {iterations} Newton iterations{limits}")),
             ("wall time", format!("{} s", significant(*wall_time, 3)), String::new()),
         ];
         let errors = [("time-step error", time_step_errors), ("mesh error", mesh_errors)];
@@ -260,6 +262,7 @@ mod tests {
             iterations: 20,
             rejected: 0,
             wall_time: 0.125,
+            step_limits: None,
             time_step_errors: Vec::new(),
             mesh_errors: Vec::new(),
             accuracy: None,

@@ -33,6 +33,9 @@ pub struct Summary {
     pub rejected: u64,
     /// How long it took, s.
     pub wall_time: f64,
+    /// What holds the steps, where the program has chosen many.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub step_limits: Option<String>,
     /// Estimated errors because of the length of the steps, the largest first; empty: not known.
     pub time_step_errors: Vec<EstimatedError>,
     /// Estimated errors of equilibria because of the mesh, the largest first; empty: not known.

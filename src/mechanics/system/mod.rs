@@ -391,6 +391,22 @@ impl System {
         if places > others || places.is_nan() { places } else { others }
     }
 
+    /// The coordinate that changes most: positions over the system's size, and all, as shares of `ranges`, which are as
+    /// [`Self::motion_sizes`] has them.
+    pub fn largest_change(&self, changes: &[f64], ranges: [f64; 2]) -> usize {
+        let [position, other] = ranges.map(|range| range.max(f64::MIN_POSITIVE));
+        let mut largest = (0.0, 0);
+        for part in self.parts() {
+            for (local, value) in changes[part.clone()].iter().enumerate() {
+                let size = value.abs() / if local < PLACE { position * self.size } else { other };
+                if size > largest.0 {
+                    largest = (size, part.start + local);
+                }
+            }
+        }
+        largest.1
+    }
+
     /// Size of a correction of the coordinates, as [`Self::motion_size`], and the coordinate where it is largest.
     pub fn correction_size(&self, correction: &[f64]) -> (f64, usize) {
         let mut largest = (0.0, 0);

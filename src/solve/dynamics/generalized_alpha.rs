@@ -34,6 +34,7 @@ use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
 use crate::solve::step::response::{Responder, Response};
 use crate::solve::step::switching;
+use crate::solve::step::tally::Tally;
 
 /// Largest spectral radius for systems with joints: with 1 a pendulum fails within 10 s, with this one the forces stay
 /// smooth.
@@ -213,6 +214,10 @@ impl Integrator for GeneralizedAlpha {
             self.restart(system, state);
         }
         Ok(switched)
+    }
+
+    fn tally(&mut self) -> Option<&mut Tally> {
+        None
     }
 }
 

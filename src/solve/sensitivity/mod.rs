@@ -31,6 +31,7 @@ use crate::solve::newton::kkt::Kkt;
 use crate::solve::step::integrator::Integrator;
 use crate::solve::step::linearized::{Linearized, Span};
 use crate::solve::step::response::{Responder, Response};
+use crate::solve::step::tally::Tally;
 
 /// Largest change of a coordinate for differences: over the system's size, or rad.
 const REACH: f64 = 1e-3;
@@ -262,5 +263,9 @@ impl<I: Linearized, N: Inputs> Integrator for Differentiated<'_, I, N> {
             self.failure = passed.err();
         }
         Ok(switched)
+    }
+
+    fn tally(&mut self) -> Option<&mut Tally> {
+        self.integrator.tally()
     }
 }

@@ -29,6 +29,7 @@ use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::newton::kkt::Kkt;
 use crate::solve::newton::{self, Convergence, Goal, MOST_ITERATIONS, Problem};
 use crate::solve::step::integrator::Integrator;
+use crate::solve::step::tally::Tally;
 
 /// Largest turn of a tangent in an increment, rad: `1 + t_r·t < 0.1` (MECHANICS 2.6).
 const LARGEST_TURN: f64 = 2.69;
@@ -402,6 +403,10 @@ impl Integrator for Statics {
     /// An increment switches at its end.
     fn switch(&mut self, _system: &System, _state: &mut State, _time: f64) -> Result<bool, Error> {
         Ok(false)
+    }
+
+    fn tally(&mut self) -> Option<&mut Tally> {
+        None
     }
 }
 

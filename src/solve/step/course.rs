@@ -6,6 +6,7 @@
 //! switches among them.
 
 use super::integrator::{Integrator, grid_step};
+use super::tally::Tally;
 use crate::error::Error;
 use crate::mechanics::state::State;
 use crate::mechanics::system::{AT_BREAK, System};
@@ -80,6 +81,10 @@ impl<I: Integrator> Integrator for Noting<'_, I> {
 
     fn switch(&mut self, system: &System, state: &mut State, time: f64) -> Result<bool, Error> {
         self.integrator.switch(system, state, time)
+    }
+
+    fn tally(&mut self) -> Option<&mut Tally> {
+        self.integrator.tally()
     }
 }
 

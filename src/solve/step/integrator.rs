@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::solve::step::tally::Tally;
 
 /// Steps go down to `2^-MOST_HALVINGS` of the step size.
 pub const MOST_HALVINGS: u32 = 10;
@@ -27,6 +28,9 @@ pub trait Integrator {
     /// # Errors
     /// What engages is redundant; callers must discard `state`.
     fn switch(&mut self, system: &System, state: &mut State, time: f64) -> Result<bool, Error>;
+
+    /// The counts of its steps by their limits, if it can choose its steps.
+    fn tally(&mut self) -> Option<&mut Tally>;
 }
 
 /// Takes `state` over one step of the grid, from its time to `end`, `step` s later, in as many parts as it needs.

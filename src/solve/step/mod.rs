@@ -12,3 +12,4 @@ pub mod projection;
 pub mod response;
 pub mod spare;
 pub mod switching;
+pub mod tally;

@@ -5,6 +5,7 @@
 //! of the run tells. A step whose error is too large is taken again, shorter.
 
 use super::integrator::Integrator;
+use super::tally::End;
 use crate::error::Error;
 use crate::math::resolution::Sight;
 use crate::mechanics::state::State;
@@ -198,7 +199,22 @@ impl Pacing {
                 // The dissipation for longer steps would hold back what a pulse moves.
                 state.pace.damping_step = state.pace.damping_step.min(step);
             }
-            let Err(reason) = integrator.step(system, state, step, step_end) else { break };
+            let Err(reason) = integrator.step(system, state, step, step_end) else {
+                if let Some(tally) = integrator.tally() {
+                    let changes = is_cut || step_end == boundary && boundary < end;
+                    tally.count(
+                        &state.pace,
+                        if changes {
+                            End::Change
+                        } else if step_end == end {
+                            End::Row
+                        } else {
+                            End::Own
+                        },
+                    );
+                }
+                break;
+            };
             state.statistics.rejected += 1;
             let shorter = match reason {
                 Error::Inexact { ratio, .. } => (AIM / ratio).cbrt().max(SHRINKING),

@@ -228,3 +228,29 @@ fn steps_are_chosen_only_where_errors_are_known() {
     let message = try_start(&oscillator("accuracy = 1e-3\nstep = 1e-3")).unwrap_err();
     assert!(message.contains("accuracy and step exclude each other"), "{message}");
 }
+
+/// A run of many steps says what holds them: the accuracy of a fast part, or changes of what acts.
+#[test]
+fn many_steps_say_why() {
+    let limits = |text: &str, stop: f64| {
+        let mut simulation = start(text);
+        simulation.advance(stop).unwrap();
+        assert!(simulation.state().statistics.steps >= 20_000, "{:?}", simulation.state().statistics);
+        simulation.step_limits().unwrap()
+    };
+    let vibration = oscillator("accuracy = 1e-6").replace("stop = 1\n", "stop = 4\n");
+    let text = limits(&vibration, 4.0);
+    assert!(
+        text.starts_with("100 % are as long as simulation.accuracy allows, mostly because of b (along z)."),
+        "{text}"
+    );
+
+    let blows = "format = 1\n[model]\nname = \"Blows\"\ngravity = [0, 0, 0]\n[body.b]\nmass = 1\nposition = [0, 0, 0]\n\
+                 inertia = [1, 1, 1]\n[load.hit]\nat = \"b\"\nforce = [\"if(sin(4e4*t) > 0, 1, -1)\", 0, 0]\n[simulation]\nstop = 1\n";
+    let text = limits(blows, 1.0);
+    assert!(text.contains("% end where a load, a drive, a joint or a contact changes"), "{text}");
+
+    let mut few = start(&oscillator(""));
+    few.advance(1.0).unwrap();
+    assert_eq!(few.step_limits(), None);
+}

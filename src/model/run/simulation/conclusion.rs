@@ -3,8 +3,15 @@
 
 use super::Simulation;
 use super::runner::Runner;
+use super::solver::Solver;
 use crate::model::run::accuracy::{Inexact, Setting};
 use crate::model::run::levels;
+use crate::solve::step::tally::Limit;
+
+/// A run of so many steps says why.
+const MANY_STEPS: u64 = 20_000;
+/// A reason that holds a smaller share of the steps is not told.
+const LEAST_SHARE: f64 = 0.05;
 
 impl Simulation {
     /// How far results are off because of the lengths of the steps, a family each, as carried along with the motion,
@@ -24,6 +31,26 @@ impl Simulation {
     /// The family of results with the largest estimated error.
     pub fn least_accurate(&self) -> Option<Inexact> {
         self.estimated_errors().into_iter().max_by(|a, b| a.error.total_cmp(&b.error))
+    }
+
+    /// The limits of the steps of a run that chose many of them, in a sentence; none: there are few, or they are given.
+    pub fn step_limits(&self) -> Option<String> {
+        let Runner { system, state, solver, .. } = &self.runner;
+        let Solver::Midpoint(midpoint) = solver else { return None };
+        let tally = midpoint.limits().filter(|_| state.statistics.steps >= MANY_STEPS)?;
+        let of = |limit| Some(tally.share(limit)).filter(|share| *share >= LEAST_SHARE);
+        let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+        let changes = of(Limit::Change)
+            .map(|share| format!("{} end where a load, a drive, a joint or a contact changes", percent(share)));
+        let accuracy = of(Limit::Accuracy).zip(tally.coordinate()).map(|(share, index)| {
+            let (share, part) = (percent(share), system.describe_unknown(index));
+            format!(
+                "{share} are as long as simulation.accuracy allows, mostly because of {part}. Damping ends vibrations \
+                 that do not matter, and a larger simulation.accuracy takes longer steps"
+            )
+        });
+        let clauses: Vec<String> = changes.into_iter().chain(accuracy).collect();
+        (!clauses.is_empty()).then(|| clauses.join("; "))
     }
 
     /// Warns at the end of the errors of these results only, as `tip.position` or a component of it: nobody reads the

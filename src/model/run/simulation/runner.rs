@@ -15,6 +15,7 @@ use crate::solve::step::integrator::{Integrator, grid_step};
 use crate::solve::step::limits;
 use crate::solve::step::pacing::Pacing;
 use crate::solve::step::response::{Responder, Response};
+use crate::solve::step::tally::Tally;
 use std::sync::Arc;
 
 /// How near to a point of the grid of internal steps a communication point must be to be that point, in steps.
@@ -471,5 +472,9 @@ impl<I: Integrator> Integrator for Remembering<'_, I> {
 
     fn switch(&mut self, system: &System, state: &mut State, time: f64) -> Result<bool, Error> {
         self.0.switch(system, state, time)
+    }
+
+    fn tally(&mut self) -> Option<&mut Tally> {
+        self.0.tally()
     }
 }

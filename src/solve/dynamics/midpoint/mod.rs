@@ -39,6 +39,7 @@ use crate::solve::step::pacing::Pacing;
 use crate::solve::step::projection::Projection;
 use crate::solve::step::spare::Spare;
 use crate::solve::step::switching;
+use crate::solve::step::tally::Tally;
 
 /// Smallest spectral radius: below it the other two factors by which a strain far too fast for the step may change,
 /// 0.58 and more, are larger.
@@ -52,6 +53,8 @@ pub struct Midpoint {
     largest_step: f64,
     /// None: the steps are given.
     pacing: Option<Pacing>,
+    /// Steps of its own choice, by their limits.
+    tally: Tally,
     tolerance: f64,
     kkt: Kkt,
     right: Vec<f64>,
@@ -76,6 +79,7 @@ impl Midpoint {
             dissipation: Dissipation::new(spectral_radius),
             largest_step,
             pacing: None,
+            tally: Tally::default(),
             tolerance,
             right: vec![0.0; coordinates + conditions],
             projection: Projection::new(system, &mut kkt),
@@ -95,6 +99,11 @@ impl Midpoint {
             return Err(Error::StepNotGiven);
         }
         Ok(Self { pacing: Some(pacing), ..self })
+    }
+
+    /// The counts of its steps by their limits; none: the steps are given.
+    pub fn limits(&self) -> Option<&Tally> {
+        self.pacing.map(|_| &self.tally)
     }
 
     /// Whether it knows the error of its steps.
@@ -215,6 +224,10 @@ impl Integrator for Midpoint {
         }
         Ok(switched)
     }
+
+    fn tally(&mut self) -> Option<&mut Tally> {
+        Some(&mut self.tally)
+    }
 }
 
 impl Midpoint {
@@ -241,6 +254,10 @@ impl Midpoint {
         let taken = Taken { state, dissipation, span, solution: &self.scratch, strain_rates: &lists.strain_rates };
         let error = estimator.own_error(system, &mut self.kkt, &taken, &mut self.right);
         pacing.judge(pace, error, span.step, state.time)?;
+        if error.is_some() && self.tally.is_due() {
+            let coordinates = system.coordinates();
+            self.tally.look(system.largest_change(&self.right[..coordinates], pace.range), coordinates);
+        }
         pacing.include(system, &self.scratch.increment, pace);
         Ok(())
     }
