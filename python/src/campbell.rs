@@ -50,6 +50,11 @@ impl FoundCampbell {
         all.map(|own| (own.speed, own.mode, word(own.whirl), excitation(&self.found, own))).collect()
     }
 
+    /// The part that each mode moves most.
+    fn moves(&self) -> Vec<String> {
+        self.found.moves.clone()
+    }
+
     /// The number of speeds at which it is not certain which mode continues which.
     fn uncertain(&self) -> usize {
         self.found.uncertain

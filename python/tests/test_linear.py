@@ -114,6 +114,7 @@ def test_vibrations_by_speed(tmp_path: Path) -> None:
     assert len(forward) == 1 and forward[0].excited_by == "unbalance" and forward[0].mode == 1
     # Damping of the shaft feeds forward whirl from its critical speed on.
     assert found.stability_limit == pytest.approx(forward[0].speed, rel=1e-4)
+    assert found.moves == ["shaft.end", "shaft.end"]
     found.save(tmp_path / "c.svg")
     rows = found.save(tmp_path / "c.csv").read_text(encoding="utf-8").splitlines()
     assert len(rows) == 11 and (tmp_path / "c.svg").read_text(encoding="utf-8").startswith("<svg")

@@ -125,7 +125,7 @@ pub fn campbell(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
 fn table(found: &Campbell) -> String {
     let ends = [found.speeds.first(), found.speeds.last()].map(|speed| trimmed(speed.copied().unwrap_or(0.0), DIGITS));
     let [first, last] = ends.each_ref().map(|speed| format!("Hz at {speed} rad/s"));
-    let head = ["mode", "direction", &first, &last, "damping ratio", "critical rad/s"];
+    let head = ["mode", "direction", &first, &last, "damping ratio", "critical rad/s", "moves most"];
     let mut rows = vec![head.map(str::to_owned)];
     for (mode, points) in found.modes.iter().enumerate() {
         let [Some(begin), Some(end)] = [points.first(), points.last()] else { continue };
@@ -140,6 +140,7 @@ fn table(found: &Campbell) -> String {
             hertz(end),
             significant(end.damping_ratio(), RATIO_DIGITS),
             critical.join(", "),
+            found.moves[mode].clone(),
         ]);
     }
     super::check::aligned(&rows).trim_end().to_owned()
@@ -190,6 +191,7 @@ fn document(found: &Campbell) -> Value {
         "frame": frame(found.frame),
         "speeds": found.speeds,
         "modes": found.modes.iter().map(|own| own.iter().map(point).collect::<Vec<_>>()).collect::<Vec<_>>(),
+        "moves": found.moves,
         "critical_speeds": found.critical.iter().map(critical).collect::<Vec<_>>(),
         "stability_limit": found.stability_limit,
     })

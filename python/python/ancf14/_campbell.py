@@ -46,6 +46,8 @@ class Campbell:
     """The real parts of their poles, 1/s, shape ``(k, n)``."""
     directions: NDArray[np.str_]
     """How they turn about the axis: ``forward``, ``backward`` or ``none``, shape ``(k, n)``."""
+    moves: list[str]
+    """The part that each mode moves most at the last speed; with a direction where the mode does not whirl."""
     frame: str
     """The axes in which the frequencies are told: ``fixed``, or ``turning`` with the mechanism."""
     critical_speeds: list[CriticalSpeed]
@@ -65,6 +67,7 @@ class Campbell:
             damping=damping,
             real=real,
             directions=np.array(found.directions()).reshape(shape),
+            moves=found.moves(),
             frame=frame,
             critical_speeds=[CriticalSpeed(*own) for own in found.critical_speeds()],
             stability_limit=limit,

@@ -165,3 +165,16 @@ pub fn whirl(system: &System, base: &Base, rotation: &Rotation, selection: &Sele
         _ => Whirl::None,
     }
 }
+
+/// The part that a mode moves most, in words; without a direction where it whirls, since it then moves along all of
+/// them.
+pub fn moves(system: &System, base: &Base, rotation: &Rotation, selection: &Selection, mode: &Eigen) -> String {
+    let (shape, _) = shape(selection, &mode.right);
+    let mut snapshot = FrameCache::default();
+    let most = system.most_moved(&snapshot.of(system, &base.state), &shape).what;
+    let name = most.split(',').next().map(str::to_owned);
+    match whirl(system, base, rotation, selection, mode) {
+        Whirl::None => most,
+        Whirl::Forward | Whirl::Backward => name.unwrap_or(most),
+    }
+}

@@ -73,7 +73,7 @@ fn regression_loose_parts_are_named() {
     }
 }
 
-/// Moduli in MPa and GPa and densities in g/cm³ or t/mm³ are told with the number to write, those of rubber are not;
+/// Moduli in MPa and GPa and densities in g/cm³, kg/mm³ or t/mm³ are told with the number to write, those of rubber are not;
 /// statics do not ask for the density.
 #[test]
 fn regression_materials_in_other_units_are_told() {
@@ -106,6 +106,11 @@ fn regression_materials_in_other_units_are_told() {
         ),
         (
             "density = 7850",
+            "density = 7.85e-6",
+            "m.toml, line 6: steel.density = 7.85e-6 kg/m3 is unusually light. If this is in kg/mm3, write 7850",
+        ),
+        (
+            "density = 7850",
             "density = 49",
             "m.toml, line 6: steel.density = 49 kg/m3 is unusually light. The unit is kg/m3",
         ),
@@ -121,6 +126,8 @@ fn regression_materials_in_other_units_are_told() {
         held.replace("young = 2.1e11\npoisson = 0.3", "young = 1e6\npoisson = 0.49"),
         held.replace("young = 2.1e11\npoisson = 0.3", "young = 1e6\nshear = 3.4e5"),
         held.replace("density = 7850", "density = 50"),
+        // Stiffness alone.
+        held.replace("density = 7850", "density = 1e-3"),
         held.replace("density = 7850", "density = 1").replace("step = 0.1", "step = 0.1\nanalysis = \"static\""),
     ] {
         assert_eq!(of(&sound), Vec::<String>::new());

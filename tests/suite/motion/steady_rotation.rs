@@ -267,6 +267,11 @@ fn modes_of_an_overhung_rotor_are_followed() {
         assert!((1..points.len() - 1).all(|k| second(k).abs() < 60.0), "{points:?}");
     }
     assert_eq!(whirling, 4);
+    // Whirls move along all directions; torsion turns.
+    let named = |mode: usize| found.modes[mode][1].whirl == Whirl::None;
+    for (mode, moves) in found.moves.iter().enumerate() {
+        assert!(moves.starts_with("shaft.") && moves.ends_with("turning about x") == named(mode), "{:?}", found.moves);
+    }
 
     // Where a frequency is the speed: (k11 − m Ω²)(k22 − Jd Ω² ± Jp Ω²) = k12², one forward, as Jp > Jd, two backward.
     let crossings = |polar: f64| {

@@ -9,7 +9,7 @@ use crate::solve::linear::dense::{Complex, Eigen};
 use crate::solve::linearization::independent::Selection;
 use crate::solve::linearization::poles::PoleKind;
 use crate::solve::linearization::steady::matrix;
-use crate::solve::linearization::tracking::{Spectrum, continued, whirl};
+use crate::solve::linearization::tracking::{Spectrum, continued, moves, whirl};
 
 pub use crate::solve::linearization::tracking::Whirl;
 
@@ -97,6 +97,8 @@ pub struct Campbell {
     pub speeds: Vec<f64>,
     /// Each mode at all speeds.
     pub modes: Vec<Vec<Point>>,
+    /// The part that each moves most at the last speed, in words.
+    pub moves: Vec<String>,
     /// Critical speeds, ascending.
     pub critical: Vec<Critical>,
     /// The least speed at which a motion grows, rad/s; none: there is none up to the last speed.
@@ -173,6 +175,14 @@ impl Stop {
             }
         };
         self.followed.iter().map(point).collect()
+    }
+
+    fn moves(&self, rotor: &Rotor, selection: &Selection) -> Vec<String> {
+        let own = |mode: &usize| {
+            let (base, rotation) = (&self.turning.bases[0], &self.turning.rotation);
+            moves(&rotor.system, base, rotation, selection, &self.spectrum.modes[*mode])
+        };
+        self.followed.iter().map(own).collect()
     }
 
     fn value(&self, mode: usize) -> Complex {
@@ -254,6 +264,8 @@ impl Simulation {
             }
             last = next;
         }
+        let own = rotor.selection(&last.turning.bases[0], &selection.chosen)?;
+        let moves = last.moves(&rotor, &own);
         critical.sort_by(|a, b| a.speed.total_cmp(&b.speed));
         let Follower { uncertain, .. } = follower;
         Ok(Campbell {
@@ -261,6 +273,7 @@ impl Simulation {
             frame,
             speeds: sweep.speeds.clone(),
             modes,
+            moves,
             critical,
             stability_limit: limit,
             uncertain,

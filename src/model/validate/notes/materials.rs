@@ -17,6 +17,8 @@ const RUBBER: f64 = 0.45;
 const STIFFEST: f64 = 2e12;
 /// Density below which a number is in g/cm³ or t/mm³, kg/m³: balsa wood has 100 kg/m³.
 const LIGHTEST: f64 = 50.0;
+/// Density below which a number in no unit is that of a material, kg/m³: the beam is to have stiffness alone.
+const NO_MASS: f64 = 0.04;
 /// Density above which there is no material, kg/m³: osmium has 22,600 kg/m³.
 const HEAVIEST: f64 = 25e3;
 
@@ -39,19 +41,26 @@ pub fn odd_materials(document: &Document) -> Vec<Note> {
                 ),
             ));
         }
-        if is_dynamic && density < LIGHTEST {
+        let units = [(1e3, "g/cm3"), (1e9, "kg/mm3"), (1e12, "t/mm3")];
+        let has_mass = density >= NO_MASS || units.iter().any(|(size, _)| is_of_material(density * size));
+        if is_dynamic && density < LIGHTEST && has_mass {
             notes.push(Note::of(
                 document,
                 material.density,
                 &format!(
                     "= {} kg/m3 is unusually light. {}",
                     shown(density),
-                    remedy(density, &[(1e3, "g/cm3"), (1e12, "t/mm3")], LIGHTEST, HEAVIEST, "The unit is kg/m3")
+                    remedy(density, &units, LIGHTEST, HEAVIEST, "The unit is kg/m3")
                 ),
             ));
         }
     }
     notes
+}
+
+/// Whether a material may have this density, kg/m³.
+fn is_of_material(density: f64) -> bool {
+    (LIGHTEST..=HEAVIEST).contains(&density)
 }
 
 /// The modulus below which that of a material is odd, Pa.
