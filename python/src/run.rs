@@ -56,7 +56,7 @@ pub fn run(
     names: &[String],
     inputs: Vec<f64>,
     (film, last): (bool, Option<u64>),
-    (refine, budget): (Option<bool>, f64),
+    (refine, budget): (Option<bool>, Option<f64>),
 ) -> PyResult<Outcome> {
     let driven: Vec<VariableId> =
         names.iter().map(|name| simulation.find(name)).collect::<Result<_, _>>().map_err(|error| refusal(&error))?;

@@ -245,7 +245,7 @@ impl Simulation {
     /// `inputs` from row to row: all of the first row, then all of the second one. With `film` there is a page that
     /// shows the mechanism move. `refinement` says whether the run is repeated with finer steps and meshes until it is
     /// accurate (none: if the file leaves the elements of a beam to the program), and what that may cost.
-    #[pyo3(signature = (names, inputs, film=false, last=None, refinement=(Some(false), 20.0)))]
+    #[pyo3(signature = (names, inputs, film=false, last=None, refinement=(Some(false), None)))]
     fn run(
         &mut self,
         py: Python<'_>,
@@ -253,7 +253,7 @@ impl Simulation {
         inputs: Vec<f64>,
         film: bool,
         last: Option<u64>,
-        refinement: (Option<bool>, f64),
+        refinement: (Option<bool>, Option<f64>),
     ) -> PyResult<Outcome> {
         let simulation = self.simulation.take().ok_or_else(taken)?;
         run::run(py, (simulation, &self.halt), &names, inputs, (film, last), refinement)

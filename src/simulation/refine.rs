@@ -8,7 +8,7 @@ impl Simulation {
     /// results are accurate; none where the model file gives both. The further runs together cost `budget` times the
     /// first run at most. [`Self::look`] takes the rows of each run, the start first, and
     /// [`Self::repeated`] decides after [`Self::finish`].
-    pub fn refine(&mut self, budget: f64) -> Option<Refinement> {
+    pub fn refine(&mut self, budget: Option<f64>) -> Option<Refinement> {
         Refinement::of(self.mechanism_mut(), budget)
     }
 

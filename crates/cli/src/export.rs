@@ -8,7 +8,7 @@ use ancf14::fmi::{Model, header};
 use ancf14::model::drawing::Drawing;
 use ancf14::model::file::{Folder, Reach};
 use ancf14::model::notes;
-use ancf14::model::refinement::{BUDGET, leaves_mesh};
+use ancf14::model::refinement::leaves_mesh;
 use ancf14::model::simulation::Simulation;
 use ancf14_pack::contents::{Contents, LICENCES};
 use ancf14_pack::libraries::{self, Platform};
@@ -145,7 +145,7 @@ fn found(model: &Simulation, (file, reach): (&Path, Reach)) -> Result<Option<(Si
     if !leaves_mesh(model.document()) {
         return Ok(None);
     }
-    let search = tune::search(load(file, &[], reach)?.0, BUDGET);
+    let search = tune::search(load(file, &[], reach)?.0, None);
     let written = search.map_err(|stop| stop.reason()).and_then(|search| {
         let search = search.ok_or_else(|| String::from("the model begins with a state, or has too many results"))?;
         let text = search.found.written_flat(model.document())?;

@@ -38,7 +38,7 @@ mod vtk;
 mod watch;
 
 use ancf14::fmi::lifecycle::Standard;
-use ancf14::model::refinement::{BUDGET, leaves_mesh};
+use ancf14::model::refinement::leaves_mesh;
 use ancf14_pack::libraries::Platform;
 use ancf14_report::draw::Projection;
 use ancf14_view::Film;
@@ -109,9 +109,10 @@ enum Command {
         /// Run once, also where the model file leaves the elements of a beam to the program
         #[arg(long, conflicts_with_all = ["refine", "budget"])]
         no_refine: bool,
-        /// Bound of the cost of all repetitions together, over the cost of the first run
-        #[arg(long, value_name = "TIMES", default_value_t = BUDGET, value_parser = arguments::budget)]
-        budget: f64,
+        /// Bound of the cost of all repetitions together, over the cost of the first run [default: 20, and some seconds
+        /// in any case]
+        #[arg(long, value_name = "TIMES", value_parser = arguments::budget)]
+        budget: Option<f64>,
         /// Also write view.html, a page that shows the moving mechanism
         #[arg(long)]
         view: bool,
@@ -143,9 +144,10 @@ enum Command {
         /// The copy [default: MODEL.tuned.toml, beside the model file]
         #[arg(short, long, value_name = "OUT.toml")]
         output: Option<PathBuf>,
-        /// Bound of the cost of all repetitions together, over the cost of the first run
-        #[arg(long, value_name = "TIMES", default_value_t = BUDGET, value_parser = arguments::budget)]
-        budget: f64,
+        /// Bound of the cost of all repetitions together, over the cost of the first run [default: 20, and some seconds
+        /// in any case]
+        #[arg(long, value_name = "TIMES", value_parser = arguments::budget)]
+        budget: Option<f64>,
     },
     /// Validate a model and list its variables
     Check {
@@ -387,7 +389,8 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
                 settings,
                 wish,
                 is_alone: no_mesh_error,
-                budget: (refine || is_free && !no_refine).then_some(budget),
+                is_repeated: refine || is_free && !no_refine,
+                budget,
                 film,
                 format,
             };

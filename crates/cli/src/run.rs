@@ -64,7 +64,9 @@ pub struct Order<'a> {
     pub wish: Option<Wish<'a>>,
     /// That no second run, with half the elements, tell the mesh error of a motion.
     pub is_alone: bool,
-    /// The cost of repetitions with finer steps and meshes at most, over that of the run; none: it is not repeated.
+    /// That it is repeated with finer steps and meshes until it is accurate.
+    pub is_repeated: bool,
+    /// The cost of the repetitions at most, over that of the run; none: as usual.
     pub budget: Option<f64>,
     /// A page that shows the mechanism move.
     pub film: Option<Film>,
@@ -74,7 +76,7 @@ pub struct Order<'a> {
 
 /// Simulates and writes everything into the folder `directory`.
 pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Result<(), Stop> {
-    let Order { inputs, from, save, plan, read, settings, wish, is_alone, budget, film, format } = order;
+    let Order { inputs, from, save, plan, read, settings, wish, is_alone, is_repeated, budget, film, format } = order;
     let last_row = plan.count;
     let mut folder = Folder::open(directory)?;
     let partial = folder.file(PARTIAL);
@@ -112,10 +114,8 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let before = from.as_ref().map_or(Statistics::default(), Beginning::counts);
     let begin = plan.begin;
     let clock = Instant::now();
-    let mut refinement = match budget {
-        Some(budget) if wish.is_none() && from.is_none() => Refinement::of(&mut simulation, budget),
-        _ => None,
-    };
+    let is_repeated = is_repeated && wish.is_none() && from.is_none();
+    let mut refinement = if is_repeated { Refinement::of(&mut simulation, budget) } else { None };
     let script = Script { inputs, from: from.as_ref(), plan };
     let mut attempt = Attempt { simulation, results, ranges, rows, film, held: Vec::new() };
     let mut outcome = attempt.run(script, refinement.as_mut(), &keeper, false);

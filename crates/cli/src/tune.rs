@@ -32,7 +32,7 @@ pub struct Search {
 ///
 /// # Errors
 /// The first run failed.
-pub fn search(mut simulation: Simulation, budget: f64) -> Result<Option<Search>, Stop> {
+pub fn search(mut simulation: Simulation, budget: Option<f64>) -> Result<Option<Search>, Stop> {
     simulation.ask_for_mesh_error(background::start);
     let Some(mut refinement) = Refinement::of(&mut simulation, budget) else { return Ok(None) };
     let mut last = Box::new(simulation);
@@ -70,7 +70,7 @@ fn run(simulation: &mut Simulation, mut look: impl FnMut(&Simulation)) -> Result
 }
 
 /// Writes the numbers that the model file at `path` takes into a copy of it at `output`, and runs that once.
-pub fn tune((path, reach): (&Path, Reach), output: Option<PathBuf>, budget: f64) -> Result<(), Stop> {
+pub fn tune((path, reach): (&Path, Reach), output: Option<PathBuf>, budget: Option<f64>) -> Result<(), Stop> {
     if is_piped(path) {
         return Err(Stop::Bad("error: tune writes a copy of a file: give the file, not a pipe".to_owned()));
     }

@@ -94,7 +94,7 @@ fn with_fractions(text: &str, beam: &str, elements: &str) -> String {
 ///
 /// # Errors
 /// The first run failed, for this reason.
-pub fn measure(path: &Path, budget: f64, limit: Duration) -> Result<Kept, String> {
+pub fn measure(path: &Path, budget: Option<f64>, limit: Duration) -> Result<Kept, String> {
     let text = fs::read_to_string(path).map_err(|reason| reason.to_string())?;
     let folder = Folder::new(path.parent().unwrap_or(Path::new("")), Reach::Anywhere);
     let name = path.display().to_string();

@@ -150,7 +150,7 @@ class Model:
         inputs: Inputs | None = None,
         mesh_error: bool = True,
         refine: bool | None = None,
-        budget: float = 20.0,
+        budget: float | None = None,
     ) -> Results:
         """Simulate, and return the results of all outputs; their bits are those of ``ancf14 run``.
 
@@ -169,7 +169,7 @@ class Model:
 
         Where the model file leaves the elements of a beam to the program, and the results are not accurate to 0.5 % of their range, the
         model runs again with finer steps and meshes, as by ``ancf14 run``: ``budget`` is what these runs may cost together, over the cost of
-        the first one. ``refine=True`` also does so where it leaves only the steps to the program; ``refine=False`` runs once, as studies do.
+        the first one (by default 20, and some seconds in any case). ``refine=True`` also does so where it leaves only the steps to the program; ``refine=False`` runs once, as studies do.
         """
         told: list[str] = []
         try:
@@ -192,7 +192,7 @@ class Model:
         mesh_error: bool = False,
         judged: Sequence[str] | None = None,
         refine: bool | None = False,
-        budget: float = 20.0,
+        budget: float | None = None,
     ) -> Results:
         """Simulate; the warnings go to ``told``, those about errors only of the results ``judged``, if given. With ``mesh_error`` a second run beside a motion, with half the elements, tells the mesh error."""
         changes = self._changes(parameters)

@@ -10,6 +10,10 @@ use std::ops::Range;
 const ROUNDS: usize = 20;
 /// A correction over the length of the beam that is round-off.
 const ROUND_OFF: f64 = 1e-15;
+/// Share of a beam so near before a node that a point is of the element behind it. Nearest points that are found from
+/// different elements differ by round-off, and beams often cross at nodes: without it both elements or none would have
+/// the point.
+const AT_NODE: f64 = 1e-12;
 /// Share of `|r'|²` below which the second derivative of the distance does not lead downhill surely.
 const LEAST_SHARE: f64 = 0.1;
 
@@ -42,7 +46,8 @@ impl Strand {
     /// The element at an arc length, from 0 within the beam, and the position in it, 0 to 1.
     pub fn at(&self, s: f64) -> (usize, f64) {
         let inner = &self.starts[1..self.count()];
-        let element = inner.partition_point(|start| *start <= s);
+        let near = s + AT_NODE * self.starts[self.count()];
+        let element = inner.partition_point(|start| *start <= near);
         (element, (s - self.starts[element]) / (self.starts[element + 1] - self.starts[element]))
     }
 
@@ -129,6 +134,8 @@ mod tests {
             assert_eq!(own.at(s), at);
             assert_eq!(own.arc(at.0, at.1), s);
         }
+        // Both sides of a node but for round-off.
+        assert_eq!([own.at(0.5 * (1.0 - f64::EPSILON)).0, own.at(0.5 * (1.0 + f64::EPSILON)).0], [1, 1]);
         assert!(own.is_end(0.0) && own.is_end(2.0) && !own.is_end(1.0));
     }
 }

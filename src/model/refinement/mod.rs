@@ -24,7 +24,10 @@ use crate::model::file::entries::simulation::{Analysis, Follow};
 
 /// The cost of all runs after the first one at most, over that of the first one, unless another budget is asked for:
 /// two repetitions with twice the steps and up to twice the elements.
-pub const BUDGET: f64 = 20.0;
+const BUDGET: f64 = 20.0;
+/// The cost that they may always have then, in steps times elements: some seconds. A first run that takes a tenth of a
+/// second is no reason to leave results inexact.
+const LEAST_COST: f64 = 5e5;
 /// Most parts of a step in the next run: estimates are not trusted further.
 const MOST_PARTS: u32 = 4;
 /// How much finer the mesh becomes: where it is suspected, and where it only follows the steps.
@@ -90,7 +93,7 @@ pub struct Outcome {
 /// The repetition of a run.
 #[derive(Debug)]
 pub struct Refinement {
-    budget: f64,
+    budget: Option<f64>,
     /// Costs of the first run, and of all after it, in steps times elements.
     costs: [f64; 2],
     runs: u32,
@@ -129,8 +132,8 @@ pub fn leaves_mesh(document: &Document) -> bool {
 impl Refinement {
     /// Prepares `simulation`, which is not initialized yet, to be repeated; none where the file gives everything, or
     /// where its results are too many to be kept. `budget` is what the further runs may cost, over the cost of the
-    /// first one.
-    pub fn of(simulation: &mut Simulation, budget: f64) -> Option<Self> {
+    /// first one; none: 20 times that, and some seconds in any case.
+    pub fn of(simulation: &mut Simulation, budget: Option<f64>) -> Option<Self> {
         let document = simulation.document();
         let is_motion = document.simulation.analysis == Analysis::Dynamic;
         let is_path = document.simulation.follow != Follow::Time;
@@ -230,7 +233,7 @@ impl Refinement {
             is_path: self.nearest.is_some(),
             worst: self.worst.clone(),
             end: self.end.clone().unwrap_or(End::Reached),
-            budget: self.budget,
+            budget: self.allowed() / self.costs[0].max(1.0),
         }
     }
 
@@ -244,18 +247,20 @@ impl Refinement {
             self.worst = steps.into_iter().max_by(|a, b| a.error.total_cmp(&b.error));
             return self.parts[0];
         }
+        let of_mesh = |own: &Inexact| mesh.iter().find(|other| other.name == own.name);
         let sums = steps.iter().map(|own| {
-            let of_mesh = mesh.iter().find(|other| other.name == own.name).map_or(0.0, |other| other.error);
+            let of_mesh = of_mesh(own).map_or(0.0, |other| other.error);
             Inexact { error: own.error + of_mesh, ..own.clone() }
         });
-        let all: Vec<Inexact> = sums.chain(mesh.iter().cloned()).collect();
-        self.worst = all.iter().max_by(|a, b| a.error.total_cmp(&b.error)).cloned();
+        self.worst = sums.chain(mesh.iter().cloned()).max_by(|a, b| a.error.total_cmp(&b.error));
         // Without a comparison nothing is known of the mesh, and a doubt of it is settled by another one.
         if mesh.is_empty() || simulation.doubts_mesh() {
             self.parts[1] = self.parts[1].max(UNKNOWN);
             return f64::INFINITY;
         }
-        largest(&all, Inexact::excess)
+        // As the run would warn: what is warned of is repeated.
+        let both = steps.iter().map(|own| own.excess_of_steps() + of_mesh(own).map_or(0.0, Inexact::excess));
+        both.fold(self.parts[1], f64::max)
     }
 
     /// The distance to the path of the finer mesh, over the one that a reader expects.
@@ -341,9 +346,14 @@ impl Refinement {
         [of_steps, 1.0 - of_steps]
     }
 
+    /// The cost that all runs after the first one may have.
+    fn allowed(&self) -> f64 {
+        self.budget.map_or_else(|| f64::max(BUDGET * self.costs[0], LEAST_COST), |times| times * self.costs[0])
+    }
+
     /// The next run, if the budget has room for it.
     fn next(&mut self, simulation: &Simulation, cost: f64) -> Option<Box<Simulation>> {
-        let left = self.budget * self.costs[0] - self.costs[1];
+        let left = self.allowed() - self.costs[1];
         let wish = (self.parts[0].min(1e3) / AIM).powf(1.0 / FIRST_ORDER).ceil();
         let wished = if self.chooses_steps { (wish as u32).clamp(2, MOST_PARTS) } else { 1 };
         let fewest = wished.min(2);

@@ -39,7 +39,7 @@ impl Outcome {
             End::Budget | End::Failed(_) if runs == 1 && !self.is_path => None,
             End::Budget | End::Failed(_) if worst.excess() <= WARNED => None,
             End::Budget => Some(format!(
-                "{off}, as their differences tell: the next run would exceed the budget of {} times the cost of the \
+                "{off}, as their differences tell: the next run would exceed the budget of {:.0} times the cost of the \
                  first one. Give a larger --budget",
                 self.budget
             )),

@@ -5,7 +5,7 @@
 
 use crate::running::{try_start, value};
 use ancf14::fmi::Model;
-use ancf14::model::refinement::{BUDGET, End, Outcome, Refinement};
+use ancf14::model::refinement::{End, Outcome, Refinement};
 use ancf14::model::rows;
 use ancf14::model::simulation::Simulation;
 use std::f64::consts::PI;
@@ -60,7 +60,7 @@ fn load(text: &str) -> Simulation {
 }
 
 /// Runs until it is accurate; returns the rows of the last run, what is known of it, and the simulation.
-fn repeated(text: &str, names: &[&str], budget: f64) -> (Vec<Row>, Outcome, Box<Simulation>) {
+fn repeated(text: &str, names: &[&str], budget: Option<f64>) -> (Vec<Row>, Outcome, Box<Simulation>) {
     let mut simulation = Box::new(load(text));
     let mut refinement = Refinement::of(&mut simulation, budget).expect("the file leaves something to the program");
     let mut rows = run(&mut simulation, names, |simulation| refinement.look(simulation));
@@ -95,7 +95,7 @@ fn divided_steps_have_their_order() {
 /// The claim is true, and as large as the error to a factor of three: orders are assumed between 1 and 2.
 #[test]
 fn what_a_run_claims_is_true() {
-    let (rows, outcome, _) = repeated(&mount(3e-2), &MOUNT, BUDGET);
+    let (rows, outcome, _) = repeated(&mount(3e-2), &MOUNT, None);
     let (claimed, [position, velocity]) = (outcome.worst.clone().unwrap().error, errors(&rows));
     println!("{}: claimed {claimed:.2e}, off by {position:.2e} and {velocity:.2e}", outcome.line());
     assert!(outcome.end == End::Reached && outcome.runs > 1 && outcome.warning().is_none(), "{outcome:?}");
@@ -109,7 +109,7 @@ fn what_a_run_claims_is_true() {
 #[test]
 fn a_repetition_that_fails_does_not_count() {
     let mut first = Box::new(load(&mount(3e-2)));
-    let mut refinement = Refinement::of(&mut first, BUDGET).unwrap();
+    let mut refinement = Refinement::of(&mut first, None).unwrap();
     run(&mut first, &MOUNT, |simulation| refinement.look(simulation));
     let mut next = refinement.judge(&first).expect("the steps are too coarse");
     let worst = refinement.outcome(&first).worst;
@@ -125,7 +125,7 @@ fn a_repetition_that_fails_does_not_count() {
 /// Costs are steps and elements, not seconds: the same file gives the same rows.
 #[test]
 fn the_same_file_gives_the_same_runs() {
-    let run = || repeated(&mount(3e-2), &MOUNT, BUDGET);
+    let run = || repeated(&mount(3e-2), &MOUNT, None);
     let (one, other) = (run(), run());
     assert!(one.0 == other.0 && one.1 == other.1);
 }
@@ -133,13 +133,16 @@ fn the_same_file_gives_the_same_runs() {
 /// With a budget of the first run there is no other one: its own estimates warn.
 #[test]
 fn a_budget_ends_the_runs() {
-    let (_, outcome, mut simulation) = repeated(&mount(3e-2), &MOUNT, 1.0);
+    let (_, outcome, mut simulation) = repeated(&mount(3e-2), &MOUNT, Some(1.0));
     assert!(outcome.runs == 1 && outcome.end == End::Budget && outcome.warning().is_none(), "{outcome:?}");
     assert!(simulation.take_warnings().iter().any(|warning| warning.contains("because of the length of the steps")));
-    let (_, outcome, mut simulation) = repeated(&mount(1e-1), &MOUNT, 4.0);
+    let (_, outcome, mut simulation) = repeated(&mount(1e-1), &MOUNT, Some(4.0));
     let warning = outcome.warning().unwrap_or_default();
     assert!(outcome.runs == 2 && warning.contains("Give a larger --budget"), "{outcome:?}");
     assert_eq!(simulation.take_warnings(), Vec::<String>::new());
+    // Nobody saves a second of a run that takes milliseconds.
+    let (_, outcome, _) = repeated(&mount(1e-1), &MOUNT, None);
+    assert!(outcome.end == End::Reached && outcome.budget > 1000.0, "{outcome:?}");
 }
 
 /// A file with a step and elements leaves nothing to the program.
@@ -147,7 +150,7 @@ fn a_budget_ends_the_runs() {
 fn given_numbers_are_kept() {
     for name in ["pendulum", "robot", "ring"] {
         let text = std::fs::read_to_string(format!("models/{name}.toml")).unwrap();
-        assert!(Refinement::of(&mut load(&text), BUDGET).is_none(), "{name}");
+        assert!(Refinement::of(&mut load(&text), None).is_none(), "{name}");
     }
 }
 
@@ -200,7 +203,7 @@ fn equilibria_settle_on_finer_meshes() {
     let text = std::fs::read_to_string("models/roll_up.toml").unwrap();
     let free = text.replace("elements = 16\n", "").replace("2*pi*young", "4*pi*young");
     assert!(!free.contains("elements =") && free.contains("4*pi*young"));
-    let (rows, outcome, simulation) = repeated(&free, &["tip.position[1]", "tip.position[2]"], BUDGET);
+    let (rows, outcome, simulation) = repeated(&free, &["tip.position[1]", "tip.position[2]"], None);
     let Row { time, values } = rows.last().unwrap();
     let (first, elements) = (value(&load(&free), "strip.elements"), value(&simulation, "strip.elements"));
     let apart = values[0].hypot(values[1]);
@@ -219,7 +222,7 @@ fn steps_and_meshes_become_finer_together() {
                 [output.tip]\nat = \"arm.end\"\nquantities = [\"displacement\", \"velocity\"]";
     let text = rod(line, more).replace("stop = 1\n", "stop = 0.1\noutput_step = 5e-3\naccuracy = 3e-2\n");
     let names = ["tip.displacement[3]", "tip.velocity[3]"];
-    let (rows, outcome, simulation) = repeated(&text, &names, 100.0);
+    let (rows, outcome, simulation) = repeated(&text, &names, Some(100.0));
     let [steps, elements] = ["statistics.steps", "arm.elements"].map(|name| value(&simulation, name));
     let finer = text
         .replace("accuracy = 3e-2\n", &format!("step = {:e}\n", 0.1 / (2.0 * steps)))
@@ -245,7 +248,7 @@ fn paths_by_arc_length_are_right_at_every_row() {
     let text =
         text.replace("analysis = \"static\"\nstop = 1.0", "analysis = \"static\"\nfollow = \"arc_length\"\nstop = 8");
     let names = ["path.parameter", "energy.elastic", "tip.position[1]", "tip.position[2]"];
-    let (rows, outcome, _) = repeated(&text, &names, BUDGET);
+    let (rows, outcome, _) = repeated(&text, &names, None);
     let mut worst = [0.0_f64; 2];
     let moment = 4.0 * PI * 2.1e11 * 0.02 * 1e-9 / 12.0;
     for Row { values, .. } in &rows[1..] {
@@ -273,7 +276,7 @@ fn the_claim_of_a_path_past_limit_points_is_true() {
         .replace("step = 0.05", "step = 0.02");
     let names =
         ["path.parameter", "loaded_point.displacement[1]", "loaded_point.displacement[3]", "foot.reaction_force[3]"];
-    let (rows, outcome, _) = repeated(&free, &names, BUDGET);
+    let (rows, outcome, _) = repeated(&free, &names, None);
     let reference = run(&mut load(&fine), &names, |_| ());
     let scales: Vec<f64> = (0..names.len())
         .map(|place| {

@@ -1,7 +1,6 @@
 //! Measures what runs promise that choose their steps and meshes: `cargo run --release --bin promise -- models/*.toml`.
 #![allow(clippy::print_stdout, reason = "its rows are what it is for")]
 
-use ancf14::model::refinement::BUDGET;
 use ancf14_tools::promise;
 use clap::Parser;
 use std::path::PathBuf;
@@ -14,8 +13,8 @@ struct Arguments {
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// Cost of all repetitions, over that of the first run
-    #[arg(long, default_value_t = BUDGET)]
-    budget: f64,
+    #[arg(long)]
+    budget: Option<f64>,
     /// Processor time of a file at most, s; the reference may take as much again
     #[arg(long, default_value_t = 60)]
     limit: u64,
