@@ -19,8 +19,8 @@ const INTERVALS: usize = 8;
 const MOST_ROOTS: usize = 2 * INTERVALS;
 /// Halvings and secants that find a root: as many for every root, so that no comparison of round-off decides.
 const ROUNDS: usize = 12;
-/// Sections by which a least gap between two positions is found, and parabolas that find it then to round-off: where two
-/// beams cross, they touch over less than a thousandth of an element.
+/// Sections by which a least gap between two positions is found, and parabolas that find it then to round-off: where
+/// two beams cross, they touch over less than a thousandth of an element.
 const SEARCHES: usize = 10;
 const PARABOLAS: usize = 2;
 /// Golden section.

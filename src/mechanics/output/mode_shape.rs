@@ -84,15 +84,15 @@ impl System {
     pub fn most_moved(&self, c: &Configuration, motion: &[f64]) -> Extreme {
         let turns = self.turning_share(c, motion) > 0.5;
         let mut largest = (Vec3::zeros(), 0, 0.0);
-        for (place, moved) in self.place_motions(c, motion).into_iter().enumerate() {
+        for (index, moved) in self.place_motions(c, motion).into_iter().enumerate() {
             let vector = if turns { moved.turn } else { moved.displacement };
             if vector.amax() > (1.0 + EQUAL) * largest.2 {
-                largest = (vector, place, vector.amax());
+                largest = (vector, index, vector.amax());
             }
         }
-        let (vector, place, size) = largest;
-        let where_ = match place.checked_sub(self.mesh.nodes.len()) {
-            None => self.describe_node(place),
+        let (vector, index, size) = largest;
+        let where_ = match index.checked_sub(self.mesh.nodes.len()) {
+            None => self.describe_node(index),
             Some(body) => self.bodies.get(body).map_or_else(String::new, |body| body.name.clone()),
         };
         let axes: Vec<&str> = ["x", "y", "z"]

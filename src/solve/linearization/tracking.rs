@@ -46,15 +46,17 @@ pub struct Spectrum {
 }
 
 impl Spectrum {
-    /// Finds those of the matrix `a`.
+    /// Finds those of the matrix `a`, about a rotation with `speed` rad/s: a pole in a frame that turns is a frequency
+    /// less the speed, with the round-off of both.
     ///
     /// # Errors
     /// The eigenvalues are not found.
-    pub fn new(system: &System, base: &Base, selection: &Selection, a: &Dense) -> Result<Self, Singular> {
+    pub fn new(system: &System, base: &Base, selection: &Selection, a: &Dense, speed: f64) -> Result<Self, Singular> {
         let modes = a.eigensystem()?;
         let judge = Kinds::new(system, base, modes.iter().map(|mode| mode.value));
         let kinds = modes.iter().map(|mode| {
-            let noise = || f64::max(ROUND_OFF * a.magnitude(&mode.left, &mode.right), LEAST_GROWTH * mode.size());
+            let least = LEAST_GROWTH * mode.size().max(speed.abs());
+            let noise = || f64::max(ROUND_OFF * a.magnitude(&mode.left, &mode.right), least);
             judge.of_noisy(system, mode.value, &shape(selection, &mode.right).0, noise)
         });
         let kinds = kinds.collect();
@@ -140,7 +142,8 @@ fn product(left: &[Complex], right: &[Complex]) -> Complex {
     left.iter().zip(right).map(|(left, right)| left * right).sum()
 }
 
-/// How the motion of `mode` turns about the axis of `rotation`, by the sign of `Im(zᴴ M (ω × z))`.
+/// How the motion of `mode` turns about the axis of `rotation`, by the sign of `Im(zᴴ M (ω × z))`; or without the mass,
+/// where that tells nothing: the tilt of a thin disk has the inertia of its directors along the axis alone.
 pub fn whirl(system: &System, base: &Base, rotation: &Rotation, selection: &Selection, mode: &Eigen) -> Whirl {
     if rotation.speed == 0.0 {
         return Whirl::None;
@@ -150,19 +153,27 @@ pub fn whirl(system: &System, base: &Base, rotation: &Rotation, selection: &Sele
     let mut frames = FrameCache::default();
     frames.set(system, &state.q, &state.triads);
     let mass = MassAt::new(&state.prescribed.drives, &frames);
-    let times = |vector: &[f64]| {
+    let by_mass = |vector: &[f64]| {
         let mut product = vec![0.0; vector.len()];
         system.mass_times(mass, vector, &mut product);
         product
     };
+    let by_size = |vector: &[f64]| {
+        let weight = |index: usize| if system.is_place(index) { system.size.powi(-2) } else { 1.0 };
+        vector.iter().enumerate().map(|(index, value)| weight(index) * value).collect()
+    };
     let turned = rotation.with_speed(1.0_f64.copysign(rotation.speed));
-    let circle = dot(&real, &times(&turned.cross(&imaginary))) - dot(&imaginary, &times(&turned.cross(&real)));
-    let whole = dot(&real, &times(&real)) + dot(&imaginary, &times(&imaginary));
-    // The other one of a pair has the conjugate vector.
-    match circle.copysign(circle * mode.value.im) / whole {
-        share if share > WHIRLS => Whirl::Forward,
-        share if share < -WHIRLS => Whirl::Backward,
-        _ => Whirl::None,
+    let share = |times: &dyn Fn(&[f64]) -> Vec<f64>| {
+        let circle = dot(&real, &times(&turned.cross(&imaginary))) - dot(&imaginary, &times(&turned.cross(&real)));
+        let whole = dot(&real, &times(&real)) + dot(&imaginary, &times(&imaginary));
+        // The other one of a pair has the conjugate vector.
+        circle.copysign(circle * mode.value.im) / whole
+    };
+    let whirls = |share: &f64| share.abs() > WHIRLS;
+    match Some(share(&by_mass)).filter(whirls).or_else(|| Some(share(&by_size)).filter(whirls)) {
+        Some(share) if share > 0.0 => Whirl::Forward,
+        Some(_) => Whirl::Backward,
+        None => Whirl::None,
     }
 }
 

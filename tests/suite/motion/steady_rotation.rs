@@ -302,6 +302,40 @@ fn modes_of_an_overhung_rotor_are_followed() {
     assert_eq!(found.stability_limit, None);
 }
 
+/// The tilt of a thin disk, whose polar inertia is twice the other one, whirls too. Its directors along the axis have no
+/// inertia, so that the circle is not seen in `zᴴ M (ω × z)`.
+#[test]
+fn thin_disks_whirl() {
+    let model = load(&ROTOR.replace("inertia = [0.04, 0.022, 0.022]", "inertia = [0.04, 0.02, 0.02]"), &[]);
+    let found = campbell(&model, vec![50.0, 100.0], 5);
+    let mut whirls: Vec<Whirl> = found.modes.iter().map(|points| points[1].whirl).collect();
+    whirls.retain(|whirl| *whirl != Whirl::None);
+    assert_eq!(whirls, [Whirl::Backward, Whirl::Forward, Whirl::Backward, Whirl::Forward]);
+}
+
+/// A shaft with a disk in its middle that has an unbalance, without damping, in the frame that turns: where it turns a
+/// little faster than its critical speed, a pole is small, and its round-off, that of both frequencies, is no growth.
+#[test]
+fn round_off_beside_a_critical_speed_is_no_growth() {
+    let text = r#"format = 1
+model = { name = "Jeffcott", gravity = [0, 0, 0] }
+section.shaft = { shape = "rigidities", EA = 6.6e7, EI_y = 1649.3, EI_z = 1649.3, GJ = 1268.7, line_density = 1e-3 }
+beam.shaft = { section = "shaft", from = [0, 0, 0], to = [1, 0, 0] }
+body.disk = { mass = 5, position = [0.5, 0, 2e-4], inertia = [0.025, 0.0125, 0.0125] }
+joint.hub = { type = "weld", a = "shaft@0.5", b = "disk", at = [0.5, 0, 0] }
+joint.left = { type = "revolute", a = "ground", b = "shaft.start", axis = [1, 0, 0] }
+joint.right = { type = "inline", a = "ground", b = "shaft.end", axis = [1, 0, 0] }
+drive.motor = { joint = "left", coordinate = "angle", value = 0 }
+simulation = { stop = 1 }
+"#;
+    let found = campbell(&load(text, &[]), (0..=15).map(|number| 20.0 * f64::from(number)).collect(), 8);
+    assert_eq!((found.frame, found.stability_limit), (Frame::Turning, None));
+    // Clamped and pinned: 768/7 EI/L³, but for the inertia of the disk and the stretch by the unbalance.
+    let critical: f64 = (768.0 / 7.0 * 1649.3 / 5.0_f64).sqrt();
+    let unbalance = found.critical.iter().find(|own| own.excitation == Excitation::TurnsAlong).unwrap();
+    assert!((unbalance.speed / critical - 1.0).abs() < 0.01, "{} {critical}", unbalance.speed);
+}
+
 /// A round rotor at rest has pairs of modes with one pole. Both are followed where one is asked for: alone it would have
 /// no vectors of its own, and could become the forward mode as well as the backward one.
 #[test]

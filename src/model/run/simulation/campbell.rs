@@ -134,7 +134,7 @@ impl Follower<'_> {
         let selection = self.rotor.selection(base, &self.selection.chosen)?;
         let seen = (self.frame == Frame::Turning).then_some(&turning.rotation);
         let a = matrix(system, base, &selection, seen).map_err(|error| failure(&error))?;
-        let spectrum = Spectrum::new(system, base, &selection, &a).map_err(|_| not_found())?;
+        let spectrum = Spectrum::new(system, base, &selection, &a, speed).map_err(|_| not_found())?;
         Ok((turning, selection, spectrum))
     }
 
