@@ -3,6 +3,7 @@
 //!
 //! The rows of results count. The mean is that of the straight lines from row to row, whatever their distances.
 
+use crate::error::decimal;
 use crate::mechanics::system::System;
 use crate::model::file::document::Document;
 use crate::model::file::entries::output::{OutputSpec, Target};
@@ -69,7 +70,8 @@ impl Ranges {
             let (Some(from), Target::On { beam, stations }) = (output.range, output.target) else { continue };
             let elements = &system.mesh.elements[system.beams[beam].element_range()];
             let length: f64 = elements.iter().map(|element| element.length()).sum();
-            let arc = |station: usize| length * station as f64 / (stations - 1) as f64;
+            // The sum has round-off: 0.5 m instead of 0.5000000000000001 m.
+            let arc = |station: usize| decimal(length * station as f64 / (stations - 1) as f64);
             let begin = document.value(from) - ROUNDING * document.output_step();
             let range =
                 |quantity: &Quantity| Range::new(output, *quantity, begin, (0..stations).map(arc).collect(), table);

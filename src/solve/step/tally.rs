@@ -64,7 +64,10 @@ impl Tally {
     /// Counts the coordinate with the largest error of a step, of `coordinates`.
     pub fn look(&mut self, largest: usize, coordinates: usize) {
         self.largest.resize(coordinates, 0);
-        self.largest[largest] += 1;
+        // A system may have none.
+        if let Some(count) = self.largest.get_mut(largest) {
+            *count += 1;
+        }
     }
 
     /// The share of the steps that this limit holds.
