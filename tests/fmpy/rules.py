@@ -16,7 +16,7 @@ KEYWORDS = set(
 
 # Variables without a dimension, by the end of their names; everything else that is Real needs a unit, but for names without a dot: those are
 # the file's own parameters.
-DIMENSIONLESS = re.compile(r"(^[^.]+|quaternion|strain|axis2?|y_axis|poisson|damping_ratios|tolerance|accuracy|spectral_radius)(\[\d+\])?$")
+DIMENSIONLESS = re.compile(r"(^[^.]+|quaternion|strain|axis2?|y_axis|poisson|drag|added_mass|damping_ratios|tolerance|accuracy|spectral_radius)(\[\d+\])?$")
 
 STANDARD_CATEGORIES = {
     "logEvents", "logSingularLinearSystems", "logNonlinearSystems", "logDynamicStateSelection", "logStatusWarning", "logStatusDiscard",
