@@ -33,7 +33,7 @@ pub struct Summary {
     pub rejected: u64,
     /// How long it took, s.
     pub wall_time: f64,
-    /// What holds the steps, where the program has chosen many.
+    /// The limits of the steps in a sentence, where the program has chosen many.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub step_limits: Option<String>,
     /// Estimated errors because of the length of the steps, the largest first; empty: not known.

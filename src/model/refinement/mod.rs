@@ -25,7 +25,7 @@ use crate::model::file::entries::simulation::{Analysis, Follow};
 /// The cost of all runs after the first one at most, over that of the first one, unless another budget is asked for:
 /// two repetitions with twice the steps and up to twice the elements.
 const BUDGET: f64 = 20.0;
-/// The cost that they may always have then, in steps times elements: some seconds. A first run that takes a tenth of a
+/// The cost that they may always have then, in steps times elements: 5 to 10 s. A first run that takes a tenth of a
 /// second is no reason to leave results inexact.
 const LEAST_COST: f64 = 5e5;
 /// Most parts of a step in the next run: estimates are not trusted further.

@@ -142,8 +142,9 @@ fn product(left: &[Complex], right: &[Complex]) -> Complex {
     left.iter().zip(right).map(|(left, right)| left * right).sum()
 }
 
-/// How the motion of `mode` turns about the axis of `rotation`, by the sign of `Im(zᴴ M (ω × z))`; or without the mass,
-/// where that tells nothing: the tilt of a thin disk has the inertia of its directors along the axis alone.
+/// How the motion of `mode` turns about the axis of `rotation`, by the sign of `Im(zᴴ M (ω × z))`. Where less than
+/// a twentieth of the motion is a circle, the same with `1/size²` of positions and 1 of all else in place of `M` tells
+/// it: the director along the axis of a thin disk has no inertia, so that `M` does not see its tilt.
 pub fn whirl(system: &System, base: &Base, rotation: &Rotation, selection: &Selection, mode: &Eigen) -> Whirl {
     if rotation.speed == 0.0 {
         return Whirl::None;
