@@ -487,12 +487,13 @@ impl System {
         let springs = self.springs.iter().flat_map(|spring| self.sides(spring.coordinate));
         let actuators = self.actuators.iter().flat_map(|actuator| self.sides(actuator.coordinate));
         let mut held = vec![false; self.mesh.nodes.len()];
-        let ropes = self.ropes.iter().flat_map(|rope| rope.seats.iter().map(|seat| &seat.marker));
-        for marker in loads.chain(joints).chain(springs).chain(actuators).chain(ropes) {
+        let mut hold = |marker: &Marker| {
             if let Marker::Node { node, .. } = marker {
                 held[*node] = true;
             }
-        }
+        };
+        loads.chain(joints).chain(springs).chain(actuators).for_each(&mut hold);
+        self.ropes.iter().for_each(|rope| rope.seats.iter().for_each(|seat| hold(&seat.marker)));
         self.held = held;
     }
 }

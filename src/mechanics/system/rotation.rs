@@ -164,7 +164,6 @@ impl System {
         let springs = self.springs.iter().filter(|spring| !spring.is_idle()).map(|spring| spring.coordinate);
         let springs = springs.filter(|coordinate| {
             let sides = self.sides(*coordinate).map(|side| side.coordinates(&self.mesh));
-            // The ground has no coordinates: whether it holds the other side is a matter of that side.
             sides.into_iter().filter(|side| !side.is_empty()).all(|side| {
                 let rate = self.relative_coordinates[*coordinate].rate(c, &only(velocity, side));
                 rate.abs() > ALLOWED * self.size.max(1.0)
@@ -190,10 +189,12 @@ impl System {
     fn lets_turn(&self, c: &Configuration, velocity: &[f64], joint: &Joint) -> bool {
         let mut gradient = JointGradient::default();
         joint.phi_q(c, &mut gradient);
-        [&joint.a, &joint.b].into_iter().any(|side| {
+        // The ground has no coordinates: whether it holds the other side is a matter of that side.
+        let sides = [&joint.a, &joint.b].map(|side| side.coordinates(&self.mesh)).into_iter();
+        sides.filter(|side| !side.is_empty()).any(|side| {
             let mut rates = vec![0.0; joint.rows()];
             joint.phi_t(c, &mut rates);
-            self.add_joint_rates(joint, &gradient, &only(velocity, side.coordinates(&self.mesh)), &mut rates);
+            self.add_joint_rates(joint, &gradient, &only(velocity, side), &mut rates);
             rates.iter().all(|rate| rate.abs() <= ALLOWED * self.size.max(1.0))
         })
     }

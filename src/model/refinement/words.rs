@@ -39,9 +39,9 @@ impl Outcome {
             End::Budget | End::Failed(_) if runs == 1 && !self.is_path => None,
             End::Budget | End::Failed(_) if worst.excess() <= WARNED => None,
             End::Budget => Some(format!(
-                "{off}, as their differences tell: the next run would exceed the budget of {:.0} times the cost of the \
+                "{off}, as their differences tell: the next run would exceed the budget of {} times the cost of the \
                  first one. Give a larger --budget",
-                self.budget
+                rounded(self.budget)
             )),
             End::Failed(reason) => Some(format!(
                 "{off}, as their differences tell: the next run, with finer steps or meshes, failed ({reason})"
@@ -57,6 +57,11 @@ impl Outcome {
             )),
         }
     }
+}
+
+/// A budget as users give it: tenths below 100, whole numbers above.
+fn rounded(budget: f64) -> f64 {
+    if budget < 100.0 { (10.0 * budget).round() / 10.0 } else { budget.round() }
 }
 
 #[cfg(test)]

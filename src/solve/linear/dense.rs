@@ -1,9 +1,9 @@
 //! Dense matrices of small systems: triangular factors with pivoting, and eigenvalues with their vectors. Programs that
 //! show a mechanism as a linear system use them; no step does.
 
-use super::Singular;
-use faer::MatRef;
-use faer::linalg::solvers::{DenseSolveCore, Eigen as FaerEigen};
+use super::{Singular, repeated};
+use faer::linalg::solvers::DenseSolveCore;
+use faer::{Mat, MatRef};
 
 /// Sweeps of the balancing at most; a few are usual.
 const MOST_SWEEPS: usize = 100;
@@ -35,6 +35,13 @@ pub struct Eigen {
     pub right: Vec<Complex>,
     /// The left vector.
     pub left: Vec<Complex>,
+}
+
+/// Eigenvalues and vectors of a balanced matrix, with the factors of [`Dense::balance`].
+struct Balanced {
+    values: Vec<Complex>,
+    vectors: Vec<Vec<Complex>>,
+    scales: Vec<f64>,
 }
 
 impl Eigen {
@@ -89,12 +96,11 @@ impl Dense {
     /// # Errors
     /// They do not converge, a value is not finite, or there are fewer vectors than rows.
     pub fn eigensystem(&self) -> Result<Vec<Eigen>, Singular> {
-        let (found, scales) = self.balanced_eigen()?;
-        let left = found.U().partial_piv_lu().inverse();
-        let values = found.S().column_vector();
+        let Balanced { values, vectors, scales } = self.balanced_eigen()?;
+        let left = Mat::from_fn(self.rows, self.columns, |row, number| vectors[number][row]).partial_piv_lu().inverse();
         let own = (0..self.columns).map(|number| Eigen {
             value: values[number],
-            right: (0..self.rows).map(|row| found.U()[(row, number)] * scales[row]).collect(),
+            right: vectors[number].iter().zip(&scales).map(|(own, scale)| own * scale).collect(),
             left: (0..self.rows).map(|row| left[(number, row)] / scales[row]).collect(),
         });
         let own: Vec<Eigen> = own.collect();
@@ -107,21 +113,24 @@ impl Dense {
     /// # Errors
     /// They do not converge, or a value is not finite.
     pub fn eigenvectors(&self) -> Result<Vec<Eigenpair>, Singular> {
-        let (found, scales) = self.balanced_eigen()?;
-        let values = found.S().column_vector();
-        let vector = |number: usize| (0..self.rows).map(|row| found.U()[(row, number)] * scales[row]).collect();
-        Ok((0..self.columns).map(|number| (values[number], vector(number))).collect())
+        let Balanced { values, vectors, scales } = self.balanced_eigen()?;
+        let vectors = vectors.into_iter().map(|own| own.iter().zip(&scales).map(|(own, scale)| own * scale).collect());
+        Ok(values.into_iter().zip(vectors).collect())
     }
 
-    /// Eigenvalues and vectors of the balanced matrix, with the factors of [`Self::balance`].
-    fn balanced_eigen(&self) -> Result<(FaerEigen<f64>, Vec<f64>), Singular> {
+    /// Eigenvalues and vectors of the balanced matrix.
+    fn balanced_eigen(&self) -> Result<Balanced, Singular> {
         if self.values.iter().any(|value| !value.is_finite()) {
             return Err(Singular);
         }
         let mut balanced = self.clone();
         let scales = balanced.balance();
         let found = balanced.as_faer().eigen().map_err(|_| Singular)?;
-        Ok((found, scales))
+        let values: Vec<Complex> = found.S().column_vector().iter().copied().collect();
+        let column = |number: usize| (0..self.rows).map(|row| found.U()[(row, number)]).collect();
+        let mut vectors: Vec<Vec<Complex>> = (0..self.columns).map(column).collect();
+        repeated::separate(&balanced, &values, &mut vectors);
+        Ok(Balanced { values, vectors, scales })
     }
 
     /// Makes rows and columns of a square matrix alike in size by a similarity with powers of 2, whose factors it

@@ -11,6 +11,7 @@ pub mod frontal_matrix;
 pub mod mass_factor;
 pub mod multifrontal;
 pub mod ordering;
+mod repeated;
 pub mod sparse_ldl;
 pub mod sparse_lu;
 mod transposed;

@@ -389,3 +389,49 @@ fn rings_on_bushings_stand_still() {
         assert!((soft / rigid - 1.0).abs() < 2e-4, "{soft} {rigid}");
     }
 }
+
+/// A rotor in two equal soft bearings, one of which lets it tilt: its other housing has one pole, 1e4 rad/s, for three
+/// tilts. Vectors of it that are nearly parallel would mix it with all other modes. Each critical speed is that of the
+/// closed form: of the bounce along three axes, and of the tilt, `(k₁ − I ω²)(k₂ − I ω²) = (Iₚ Ω ω)²` with `ω = Ω`.
+#[test]
+fn equal_bearings_have_no_critical_speeds_of_their_own() {
+    let text = r#"format = 1
+model = { name = "EqualBearings", gravity = [0, 0, 0] }
+body.rotor = { mass = 40, position = [0, 0, 0], inertia = [0.3, 1.5, 1.5] }
+body.house_1 = { mass = 1, position = [-0.4, 0, 0], inertia = [1e-2, 1e-2, 1e-2] }
+body.house_2 = { mass = 1, position = [0.4, 0, 0], inertia = [1e-2, 1e-2, 1e-2] }
+joint.mount_1 = { type = "bushing", a = "ground", b = "house_1", stiffness = [1e6, 1e5, 2e5], rotational_stiffness = [1e6, 0, 0] }
+joint.mount_2 = { type = "bushing", a = "ground", b = "house_2", stiffness = [1e6, 1e5, 2e5], rotational_stiffness = [1e6, 1e6, 1e6] }
+joint.bearing_1 = { type = "revolute", a = "house_1", b = "rotor", at = [-0.4, 0, 0], axis = [1, 0, 0] }
+joint.bearing_2 = { type = "inline", a = "house_2", b = "rotor", at = [0.4, 0, 0], axis = [1, 0, 0] }
+drive.motor = { joint = "bearing_1", coordinate = "angle", value = 0 }
+simulation = { stop = 1 }
+"#;
+    let found = campbell(&load(text, &[]), (0..=7).map(|number| 30.0 * f64::from(number)).collect(), 10);
+    assert_eq!((found.uncertain, found.stability_limit), (0, None));
+    let bounce = [(2e5, 42.0), (4e5, 42.0), (1e6, 41.0)].map(|(stiffness, mass): (f64, f64)| (stiffness / mass).sqrt());
+    let (inertia, polar, [soft, stiff]) = (1.5 + 0.01 + 2.0 * 0.16, 0.3, [2e5, 4e5].map(|own| own * 0.16));
+    let (square, linear) = (inertia * inertia - polar * polar, inertia * (soft + stiff));
+    let root = f64::sqrt(linear * linear - 4.0 * square * soft * stiff);
+    let tilt = [-root, root].map(|root: f64| ((linear + root) / (2.0 * square)).sqrt());
+    let mut exact: Vec<f64> = bounce.into_iter().chain(tilt).collect();
+    exact.sort_by(f64::total_cmp);
+    let mut speeds: Vec<f64> = found.critical.iter().map(|own| own.speed).collect();
+    speeds.sort_by(f64::total_cmp);
+    assert_eq!(speeds.len(), exact.len(), "{speeds:?} {exact:?}");
+    for (found, exact) in speeds.iter().zip(exact) {
+        assert!((found / exact - 1.0).abs() < 1e-6, "{found} {exact}");
+    }
+}
+
+/// A shaft whose other end is held against its rotation winds up: no steady rotation of it exists.
+#[test]
+fn shafts_that_are_held_at_their_other_end_are_refused() {
+    let model = |right: &str| {
+        let text = SHAFT.replace("LEFT", "ground").replace("RIGHT", "ground");
+        load(&text.replace("type = \"cylindrical\"", &format!("type = \"{right}\"")), &[])
+    };
+    assert!(steady(&model("inline"), 50.0).is_ok());
+    let message = steady(&model("prismatic"), 50.0).unwrap_err();
+    assert!(message.contains("joints hold its part to the ground"), "{message}");
+}

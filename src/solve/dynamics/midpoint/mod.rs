@@ -124,6 +124,7 @@ impl Dynamics for Midpoint {
 
     /// The first step knows no step before it: the dissipation counts all of its change as unpredicted.
     fn begin(&mut self, _system: &System, state: &mut State) -> Result<(), Error> {
+        self.tally = Tally::default();
         state.strain_rates.fill(0.0);
         rate_leads::clear(&mut state.lists);
         state.velocity_lead.clear();
