@@ -55,9 +55,9 @@ impl FoundCampbell {
         self.found.moves.clone()
     }
 
-    /// The number of speeds at which it is not certain which mode continues which.
-    fn uncertain(&self) -> usize {
-        self.found.uncertain
+    /// Sentences about the modes.
+    fn warnings(&self) -> Vec<String> {
+        self.found.warnings.clone()
     }
 
     /// The text of a file: `csv` or `svg`.

@@ -16,8 +16,9 @@ use ancf14_view::Film;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// A mode: kind, what it moves most, then angular frequency, growth rate, eigenvalue, modal mass and damping ratio.
-type FoundMode = (&'static str, String, [f64; 5]);
+/// A mode: kind, what it moves most, then angular frequency, growth rate, eigenvalue, modal mass, damping
+/// ratio, and the error because of the mesh; not a number: not known.
+type FoundMode = (&'static str, String, [f64; 6]);
 
 /// Modes; names of the places; the positions of the places; displacements and turns of each mode at each place;
 /// warnings.
@@ -26,8 +27,14 @@ pub type FoundModes = (Vec<FoundMode>, Vec<String>, Vec<[f64; 3]>, Vec<[f64; 3]>
 /// Natural modes in plain types.
 pub fn modes(found: &Modes) -> FoundModes {
     let modes = found.modes.iter().map(|mode| {
-        let numbers =
-            [mode.angular_frequency(), mode.growth_rate(), mode.eigenvalue, mode.modal_mass, mode.damping_ratio];
+        let numbers = [
+            mode.angular_frequency(),
+            mode.growth_rate(),
+            mode.eigenvalue,
+            mode.modal_mass,
+            mode.damping_ratio,
+            mode.mesh_error.unwrap_or(f64::NAN),
+        ];
         (word(mode), mode.moves.clone(), numbers)
     });
     let motions = || found.modes.iter().flat_map(|mode| &mode.motions);

@@ -197,7 +197,7 @@ impl Simulation {
     ) -> PyResult<FoundCampbell> {
         let simulation = self.get()?;
         let sweep = Sweep { drive, speeds, is_weightless, count };
-        let found = py.detach(|| simulation.model().campbell(&sweep));
+        let found = py.detach(|| simulation.model().refined_campbell(&sweep));
         let found = found.map_err(|failure| Error::Failed { reason: failure.message });
         let found = found.map_err(|error| located(simulation, &error))?;
         Ok(FoundCampbell::new(found, simulation.model().about().name.clone()))

@@ -94,15 +94,8 @@ pub fn campbell(model: &ModelArguments, wishes: &Wishes) -> Result<(), Stop> {
     };
     let speeds = wishes.speeds.0.clone();
     let sweep = Sweep { drive, speeds, is_weightless: wishes.without_gravity, count: usize::from(wishes.count) };
-    let found = simulation.campbell(&sweep).map_err(|failure| failed(&simulation, &failure))?;
-    if found.uncertain > 0 {
-        complain(&format!(
-            "warning: at {} of {} speeds it is not certain which mode continues which: modes come close there and \
-             exchange their shapes; take smaller steps of the speed",
-            found.uncertain,
-            found.speeds.len()
-        ));
-    }
+    let found = simulation.refined_campbell(&sweep).map_err(|failure| failed(&simulation, &failure))?;
+    found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
     if let Some(path) = &wishes.output {
         output::write(path, csv(&found).as_bytes())?;
     }

@@ -4,9 +4,11 @@ use super::folder::Folder;
 use super::output::Input;
 use super::{Stop, complain, failed, page, say, start, voice};
 use ancf14::fmi::Model;
+use ancf14::model::accuracy::percent;
 use ancf14::model::entries::simulation::Analysis;
 use ancf14::model::linear::PoleKind;
 use ancf14::model::modes::{DampedMode, Kind, Mode, Modes};
+use ancf14::model::refinement::modes::RefinedModes;
 use ancf14::model::simulation::Simulation;
 use ancf14_report::modes::{digits, pace, word};
 use ancf14_report::numbers::significant;
@@ -36,6 +38,9 @@ pub struct Wishes {
 
 /// Significant digits of a damping ratio, which is of first order.
 const RATIO_DIGITS: usize = 4;
+/// Round-off of a damping ratio, and an error of a mesh that nobody asks the size of.
+const SMALL_RATIO: f64 = 1e-12;
+const SMALL_ERROR: f64 = 1e-6;
 /// Modes that are found where no number is given.
 const COUNT: u16 = 10;
 /// The page in which the shapes swing.
@@ -78,14 +83,20 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
     if wishes.damped {
         folder.claim("modes", &simulation.about().guid, &[DAMPED.to_owned()], inputs)?;
         arrive(&mut simulation, wishes)?;
+        // Their frequencies need the mesh that those without damping need.
+        let refined = simulation.refined_modes(usize::from(wishes.count.unwrap_or(COUNT))).ok();
+        let warning = refined.as_ref().and_then(RefinedModes::warning);
+        warning.iter().for_each(|warning| complain(&format!("warning: {warning}")));
+        let simulation = refined.and_then(|refined| refined.simulation).map_or(simulation, |finer| *finer);
         return damped(&simulation, wishes, &mut folder, directory);
     }
     let names = FILES.iter().chain(wishes.view.then_some(&PAGE)).map(|name| (*name).to_owned());
     folder.claim("modes", &simulation.about().guid, &names.collect::<Vec<_>>(), inputs)?;
-    let film = wishes.view.then(|| Film::new(&simulation, 0));
     arrive(&mut simulation, wishes)?;
-    let found = simulation.modes(usize::from(wishes.count.unwrap_or(COUNT)));
-    let found = found.map_err(|failure| failed(&simulation, &failure))?;
+    let refined = simulation.refined_modes(usize::from(wishes.count.unwrap_or(COUNT)));
+    let refined = refined.map_err(|failure| failed(&simulation, &failure))?;
+    let line = refined.line();
+    let (simulation, found) = (refined.simulation.map_or(simulation, |finer| *finer), refined.modes);
     if let Some(count) = wishes.count.filter(|count| usize::from(*count) > found.modes.len()) {
         complain(&format!("warning: {count} modes were asked for, but the mechanism has only {}", found.modes.len()));
     }
@@ -94,7 +105,8 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
     for (name, text) in FILES.iter().zip(texts) {
         folder.write(name, &text)?;
     }
-    if let Some(mut film) = film {
+    if wishes.view {
+        let mut film = Film::new(&simulation, 0);
         film.look(0, &simulation);
         film.add_modes(&simulation, &found);
         folder.write(PAGE, &page(&film)?)?;
@@ -104,6 +116,9 @@ pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, input
         return Ok(());
     }
     say(&table(&found))?;
+    if let Some(line) = line {
+        say(&line)?;
+    }
     note_turning(&simulation)?;
     if wishes.view {
         say(&format!("open {} in a browser to see them swing", folder.file(PAGE).display()))?;
@@ -189,6 +204,7 @@ fn document(found: &Modes) -> Value {
             "eigenvalue": mode.eigenvalue,
             "modal_mass": mode.modal_mass,
             "damping_ratio": mode.damping_ratio,
+            "mesh_error": mode.mesh_error,
             "moves": mode.moves,
         })
     };
@@ -196,14 +212,23 @@ fn document(found: &Modes) -> Value {
 }
 
 fn table(found: &Modes) -> String {
-    let mut rows = vec![["mode", "frequency Hz", "rad/s", "damping ratio", "moves most"].map(str::to_owned)];
+    let mut rows =
+        vec![["mode", "frequency Hz", "rad/s", "damping ratio", "mesh error", "moves most"].map(str::to_owned)];
     for (number, mode) in found.modes.iter().enumerate() {
         let omega = mode.angular_frequency();
         let [frequency, omega, ratio] = match mode.kind {
-            Kind::Vibration => [digits(omega / TAU), digits(omega), significant(mode.damping_ratio, RATIO_DIGITS)],
+            Kind::Vibration => {
+                let ratio = if mode.damping_ratio.abs() < SMALL_RATIO { 0.0 } else { mode.damping_ratio };
+                [digits(omega / TAU), digits(omega), significant(ratio, RATIO_DIGITS)]
+            }
             Kind::Free | Kind::Unstable => [pace(mode), String::new(), String::new()],
         };
-        rows.push([(number + 1).to_string(), frequency, omega, ratio, mode.moves.clone()]);
+        let error = mode.mesh_error.map(|error| match error {
+            _ if error > 1.0 => String::from("not known"),
+            _ if error < SMALL_ERROR => format!("below {}", percent(SMALL_ERROR)),
+            _ => percent(error),
+        });
+        rows.push([(number + 1).to_string(), frequency, omega, ratio, error.unwrap_or_default(), mode.moves.clone()]);
     }
     super::check::aligned(&rows).trim_end().to_owned()
 }

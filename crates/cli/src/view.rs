@@ -215,7 +215,7 @@ pub fn filmed(
     start(&mut simulation)?;
     film.look(0, &simulation);
     if let Some(count) = modes {
-        let found = simulation.modes(usize::from(count)).map_err(|failure| failed(&simulation, &failure))?;
+        let found = simulation.judged_modes(usize::from(count)).map_err(|failure| failed(&simulation, &failure))?;
         found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
         film.add_modes(&simulation, &found);
     }

@@ -31,7 +31,7 @@ impl Run {
         initialized.map_err(|failure| told(&simulation, &failure))?;
         film.look(0, &simulation);
         if let Some(count) = modes {
-            let found = simulation.modes(usize::from(count)).map_err(|failure| told(&simulation, &failure))?;
+            let found = simulation.judged_modes(usize::from(count)).map_err(|failure| told(&simulation, &failure))?;
             warnings.extend(found.warnings.iter().cloned());
             film.add_modes(&simulation, &found);
         }

@@ -365,8 +365,7 @@ class Model:
             simulation.initialize()
             found = simulation.campbell(drive, wanted, count, without_gravity)
         warn([warning for warning in simulation.take_warnings() if warning not in self._notes])
-        if found.uncertain():
-            warn([f"at {found.uncertain()} speeds it is not certain which mode continues which; take smaller steps of the speed"])
+        warn(found.warnings())
         return Campbell._of(found)
 
     def draw(self, path: str | os.PathLike[str] | None = None) -> Picture:

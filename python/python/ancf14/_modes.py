@@ -27,6 +27,8 @@ class Modes:
     """Modal masses, kg, or kg m² for modes that are largest at a rotation, shape ``(k,)``."""
     damping_ratio: Array
     """Damping ratios to first order, without dry friction, shape ``(k,)``; 0 for modes that do not vibrate."""
+    mesh_error: Array
+    """Errors of the frequencies because of the mesh, as shares, shape ``(k,)``; NaN where not known."""
     kind: list[str]
     """``vibration``, ``free`` or ``unstable`` for each mode."""
     largest: list[str]
@@ -46,8 +48,8 @@ class Modes:
     @classmethod
     def _of(cls, found: tuple[Any, ...]) -> Modes:
         modes, places, positions, displacements, turns, _ = found
-        numbers = np.array([mode[2] for mode in modes], dtype=float).reshape(-1, 5)
-        omega, growth, eigenvalue, mass, ratio = (np.ascontiguousarray(column) for column in numbers.T)
+        numbers = np.array([mode[2] for mode in modes], dtype=float).reshape(-1, 6)
+        omega, growth, eigenvalue, mass, ratio, error = (np.ascontiguousarray(column) for column in numbers.T)
         shape = (len(modes), len(places), 3)
         return cls(
             frequency=omega / (2 * np.pi),
@@ -56,6 +58,7 @@ class Modes:
             eigenvalue=eigenvalue,
             modal_mass=mass,
             damping_ratio=ratio,
+            mesh_error=error,
             kind=[mode[0] for mode in modes],
             largest=[mode[1] for mode in modes],
             places=places,

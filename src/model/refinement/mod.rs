@@ -9,6 +9,7 @@
 //! The [`Refinement`] decides; its caller runs the models, writes rows and shows them to [`Refinement::look`].
 
 mod found;
+pub mod modes;
 mod nearest;
 mod words;
 

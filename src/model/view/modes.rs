@@ -52,6 +52,8 @@ pub struct Mode {
     pub modal_mass: f64,
     /// Its damping ratio to first order, without dry friction; 0 of what does not swing.
     pub damping_ratio: f64,
+    /// The error of its frequency because of the mesh, as a share; none: not known, or it does not swing.
+    pub mesh_error: Option<f64>,
     /// What it moves most, in words.
     pub moves: String,
     /// The coordinates of the system, as they change.
@@ -123,6 +125,7 @@ impl Simulation {
                 eigenvalue: mode.eigenvalue,
                 modal_mass: extreme.amount.powi(-2),
                 damping_ratio: *ratio,
+                mesh_error: None,
                 moves: extreme.what,
                 motions: motions
                     .map(|motion| Motion { displacement: motion.displacement.into(), turn: motion.turn.into() })

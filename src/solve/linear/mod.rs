@@ -5,6 +5,7 @@ mod columns;
 pub mod dense;
 mod dense_products;
 pub mod direct;
+pub mod eigen;
 pub mod elimination_tree;
 pub mod front;
 pub mod frontal_matrix;

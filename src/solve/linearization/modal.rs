@@ -1,6 +1,7 @@
 //! A linear system in coordinates of its modes: responses, and the real block form.
 
-use crate::solve::linear::dense::{Complex, Dense, Eigen};
+use crate::solve::linear::dense::{Complex, Dense};
+use crate::solve::linear::eigen::Eigen;
 use nalgebra::DMatrix;
 use std::f64::consts::SQRT_2;
 

@@ -5,7 +5,8 @@
 
 use super::modal::{Modes, pairs};
 use super::truncation::{Refusal, Whole, split};
-use crate::solve::linear::dense::{Complex, Dense, Eigen};
+use crate::solve::linear::dense::{Complex, Dense};
+use crate::solve::linear::eigen::Eigen;
 use nalgebra::DMatrix;
 
 /// Frequencies between both ends, equally spaced in their logarithms.

@@ -11,7 +11,8 @@ use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::rotation::Rotation;
 use crate::solve::linear::Singular;
-use crate::solve::linear::dense::{Complex, Dense, Eigen};
+use crate::solve::linear::dense::{Complex, Dense};
+use crate::solve::linear::eigen::Eigen;
 use crate::solve::modes::subspace::dot;
 
 /// Poles are one if they differ by less than this share.

@@ -52,7 +52,10 @@ fn files_are_written_as_agreed() {
         |name: &str| std::fs::read_to_string(directory.path().join("rotating_shaft-results").join(name)).unwrap();
     let (list, shapes, picture) = (file("modes.csv"), file("shapes.csv"), file("modes.svg"));
     let rows: Vec<&str> = list.lines().collect();
-    assert_eq!(rows[0], "mode,kind,frequency,angular_frequency,growth_rate,eigenvalue,modal_mass,damping_ratio,moves");
+    assert_eq!(
+        rows[0],
+        "mode,kind,frequency,angular_frequency,growth_rate,eigenvalue,modal_mass,damping_ratio,mesh_error,moves"
+    );
     assert_eq!(rows.len(), 5);
     let cells: Vec<&str> = rows[1].split(',').collect();
     assert_eq!(cells[..2], ["1", "vibration"]);

@@ -5,7 +5,8 @@ use super::linear::{check_poles, not_found};
 use super::steady::{Frame, Rotor, Turning};
 use super::{Simulation, failure, wrong};
 use crate::fmi::Failure;
-use crate::solve::linear::dense::{Complex, Eigen};
+use crate::solve::linear::dense::Complex;
+use crate::solve::linear::eigen::Eigen;
 use crate::solve::linearization::independent::Selection;
 use crate::solve::linearization::poles::PoleKind;
 use crate::solve::linearization::steady::matrix;
@@ -105,6 +106,8 @@ pub struct Campbell {
     pub stability_limit: Option<f64>,
     /// How often it was not certain which mode continues which: modes that come close exchange their shapes.
     pub uncertain: usize,
+    /// Sentences about the modes: which continues which, and the mesh.
+    pub warnings: Vec<String>,
 }
 
 /// The system at one speed, with the modes that are followed.
@@ -123,6 +126,14 @@ struct Follower<'a> {
     frame: Frame,
     selection: &'a Selection,
     uncertain: usize,
+}
+
+fn not_certain(uncertain: usize) -> String {
+    let plural = if uncertain == 1 { "" } else { "s" };
+    format!(
+        "at {uncertain} step{plural} of the speed it is not certain which mode continues which: modes come close there \
+         and exchange their shapes; take smaller steps of the speed"
+    )
 }
 
 impl Follower<'_> {
@@ -277,6 +288,7 @@ impl Simulation {
             critical,
             stability_limit: limit,
             uncertain,
+            warnings: (uncertain > 0).then(|| not_certain(uncertain)).into_iter().collect(),
         })
     }
 }
