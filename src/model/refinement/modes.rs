@@ -162,7 +162,7 @@ fn warning(modes: &Modes) -> Option<String> {
     let size = if error > 1.0 { String::from("more than 100 %") } else { format!("about {}", percent(error)) };
     let times = (error.min(1.0) / EXPECTED).powf(1.0 / ORDER);
     Some(format!(
-        "the frequency of mode {mode} is off by {size} because of the mesh, as one twice as fine shows; take {times:.1} \
-         times the elements, or leave `elements` to the program"
+        "the frequency of mode {mode} is off by {size} because of the mesh, as one twice as fine shows; take \
+         {times:.1} times the elements, or leave `elements` to the program"
     ))
 }

@@ -172,13 +172,22 @@ pub struct OtherMesh {
 impl OtherMesh {
     /// Chooses the mesh to compare a run of `document` with; none if a beam has no such mesh.
     pub fn beside(document: &Document) -> Option<Self> {
-        let own = Self::coarser(document).or_else(|| {
-            let overrides = mesh(document, |_, count| Some(2 * count))?;
-            Some(Self { overrides, ratio: 0.5 })
-        });
-        let Self { mut overrides, ratio } = own?;
-        overrides.push((String::from("simulation.output_step"), document.output_step().to_string()));
-        Some(Self { overrides, ratio })
+        Self::coarser(document).or_else(|| Self::twice(document)).map(|own| own.with_rows_of(document))
+    }
+
+    /// The mesh with twice the elements; none if a beam has no such mesh.
+    pub fn finer(document: &Document) -> Option<Self> {
+        Self::twice(document).map(|own| own.with_rows_of(document))
+    }
+
+    fn twice(document: &Document) -> Option<Self> {
+        let overrides = mesh(document, |_, count| Some(2 * count))?;
+        Some(Self { overrides, ratio: 0.5 })
+    }
+
+    fn with_rows_of(mut self, document: &Document) -> Self {
+        self.overrides.push((String::from("simulation.output_step"), document.output_step().to_string()));
+        self
     }
 
     /// Takes half the elements of each beam, or the fewest beyond that with which joints find their nodes. A beam that

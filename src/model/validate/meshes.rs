@@ -7,9 +7,12 @@ use super::super::file::entries::beam::{BeamSpec, FEWEST_ELEMENTS};
 use super::super::file::entries::joint::JointSpec;
 use super::super::file::reader::anchor::{Along, Anchor, Spot};
 use super::super::shape::{fits, lines};
+use crate::mechanics::beam::centerline::Centerline;
 
 /// Angle that an element turns by as drawn, rad, at most: a ring of 16 elements is right to 1 %.
 const LARGEST_ANGLE: f64 = 25.0 * std::f64::consts::PI / 180.0;
+/// A shape that is bent more in one part than in others has up to so many times the elements of an even one.
+const MOST_TIMES_FOR_BENDS: usize = 4;
 /// A count is sought up to so many times the one that the shape asks for.
 const MOST_TIMES: usize = 8;
 /// The same, for nodes where forces act: a finer mesh does without them.
@@ -32,12 +35,11 @@ fn count(document: &Document, number: usize, beam: &BeamSpec) -> Option<usize> {
     let fewest = FEWEST_ELEMENTS as usize;
     let drawn = |count: usize| lines::line(document, beam, count).ok().flatten();
     let line = (0..MOST_TIMES).find_map(|times| drawn(fewest << times))?;
-    let turn = |pair: [usize; 2]| line.nodes[pair[0]].tangent.angle(&line.nodes[pair[1]].tangent);
-    let turned: f64 = line.spans.iter().map(|span| turn([span.node, span.node + 1])).sum();
     let pretwist = document.value(beam.pretwist).abs();
-    let angle = if pretwist.is_finite() { turned.max(pretwist) } else { turned };
+    let angle = turns(&line).sum::<f64>().max(if pretwist.is_finite() { pretwist } else { 0.0 });
     // The round-off of a full turn makes no further element.
-    let least = fewest.max((angle / LARGEST_ANGLE - 1e-9).ceil() as usize);
+    let even = fewest.max((angle / LARGEST_ANGLE - 1e-9).ceil() as usize);
+    let least = bent(even, drawn);
     let held: Vec<f64> = held_fractions(document, number);
     let is_right = |count: &usize| match held.is_empty() {
         true => drawn(*count).is_some(),
@@ -48,6 +50,29 @@ fn count(document: &Document, number: usize, beam: &BeamSpec) -> Option<usize> {
         |count: &usize| is_right(count) && forces.iter().all(|fraction| fits(document, beam, *count, *fraction));
     let best = (least..=MOST_TIMES_FOR_FORCES * least).find(is_best).filter(|_| !forces.is_empty());
     best.or_else(|| (least..=MOST_TIMES * least).find(is_right)).or(Some(least))
+}
+
+/// The angles by which the elements of a line turn as drawn, rad.
+fn turns(line: &Centerline) -> impl Iterator<Item = f64> {
+    line.spans.iter().map(|span| line.nodes[span.node].tangent.angle(&line.nodes[span.node + 1].tangent))
+}
+
+/// A number of elements from `even` on none of which turns by more than [`LARGEST_ANGLE`]: a strap that is straight but
+/// for half a turn around a drum needs as short ones there as one that is all around it. Sharp bends end the search.
+fn bent(even: usize, drawn: impl Fn(usize) -> Option<Centerline>) -> usize {
+    let mut count = even;
+    loop {
+        let Some(line) = drawn(count) else { return count };
+        let most = turns(&line).fold(0.0, f64::max) / LARGEST_ANGLE - 1e-9;
+        let next = count.max((most * count as f64).ceil() as usize);
+        if next == count {
+            return count;
+        }
+        if next > MOST_TIMES_FOR_BENDS * even {
+            return even;
+        }
+        count = next;
+    }
 }
 
 /// Fractions of a beam at which joints hold on to nodes.

@@ -9,6 +9,7 @@
 use super::Simulation;
 use crate::fmi::{Failure, Model};
 use crate::model::file::document::Document;
+use crate::model::file::entries::simulation::Analysis;
 use crate::model::run::accuracy::{Columns, Differences};
 use crate::model::run::levels::{self, OtherMesh, Override};
 use std::fmt::Debug;
@@ -89,7 +90,10 @@ pub struct Companion {
 impl Companion {
     /// Creates the comparison run of `simulation`, and returns it with its mesh; none if a beam has no other mesh.
     pub(super) fn new(simulation: &Simulation, halt: Halt) -> Option<(Self, OtherMesh)> {
-        let mesh = OtherMesh::beside(&simulation.document)?;
+        let mesh = match simulation.document.simulation.analysis {
+            Analysis::Dynamic => OtherMesh::beside(&simulation.document)?,
+            Analysis::Static => OtherMesh::finer(&simulation.document)?,
+        };
         let companion = Self {
             document: Arc::clone(&simulation.document),
             overrides: [simulation.overrides.clone(), mesh.overrides.clone()],

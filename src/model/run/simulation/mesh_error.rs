@@ -23,11 +23,10 @@ pub(super) struct Peak {
 }
 
 impl Simulation {
-    /// Asks for the mesh error of motions: from the next initialization on, a comparison run with another mesh follows
-    /// this one, where `placement` says, until
+    /// Asks for the mesh error of motions, and of equilibria with friction of contacts. From the next initialization on
+    /// a comparison run with another mesh follows this one, where `placement` says, until
     /// [`crate::fmi::Model::conclude`] compares. Restored states, and parameters that are set on the way, leave the
-    /// error unknown. That of equilibria needs no such run. The answer halts the comparison runs that are asked for by
-    /// this call.
+    /// error unknown. Other equilibria need no such run. The answer halts the comparison runs that this call asks for.
     pub fn ask_for_mesh_error(&mut self, placement: Placement) -> Halt {
         let halt = Halt::default();
         self.placement = Some((placement, halt.clone()));
@@ -50,10 +49,16 @@ impl Simulation {
         }
     }
 
-    /// Whether the end of the run is to find the mesh error: that of equilibria always, that of motions where it is
-    /// asked for.
+    /// Whether equilibria of the run can be found again on a finer mesh, without those before them.
+    fn finds_equilibria_again(&self) -> bool {
+        let is_static = self.document.simulation.analysis == Analysis::Static;
+        is_static && !self.runner.system.has_contact_friction()
+    }
+
+    /// Whether the end of the run is to find the mesh error: that of equilibria always, that of motions and of
+    /// equilibria with friction of contacts where it is asked for.
     pub fn seeks_mesh_error(&self) -> bool {
-        let is_sought = self.document.simulation.analysis == Analysis::Static || self.placement.is_some();
+        let is_sought = self.finds_equilibria_again() || self.placement.is_some();
         is_sought && !self.document.beams.is_empty()
     }
 
@@ -76,8 +81,8 @@ impl Simulation {
 
     /// Starts the companion, if one is asked for.
     pub(super) fn start_companion(&mut self) {
-        let is_motion = self.document.simulation.analysis == Analysis::Dynamic;
-        let Some((placement, halt)) = self.placement.clone().filter(|_| is_motion) else { return };
+        let is_found_later = self.finds_equilibria_again();
+        let Some((placement, halt)) = self.placement.clone().filter(|_| !is_found_later) else { return };
         self.companion = Companion::new(self, halt).map(|(companion, mesh)| (placement(companion), mesh));
         self.hand_over(self.inputs.parts().map(<[f64]>::to_vec));
     }
@@ -85,8 +90,7 @@ impl Simulation {
     /// Keeps an equilibrium that has more strain energy than all before.
     pub(super) fn keep_peak(&mut self) {
         let energy = self.watch.strain_energy();
-        let is_static = self.document.simulation.analysis == Analysis::Static;
-        if !is_static || self.peak.as_ref().is_some_and(|peak| energy <= peak.energy) {
+        if !self.finds_equilibria_again() || self.peak.as_ref().is_some_and(|peak| energy <= peak.energy) {
             return;
         }
         match &mut self.peak {
