@@ -13,7 +13,9 @@ const LONGEST: f64 = 0.6;
 pub fn coarse_contacts(document: &Document, lines: &Lines) -> Vec<Note> {
     let mut notes = Vec::new();
     for contact in &document.contacts {
-        for (beam, surface) in contact.pairs() {
+        // A run makes the meshes of the program finer until it is right.
+        let given = |pair: &(usize, usize)| !document.beams[pair.0].is_meshed_by_program;
+        for (beam, surface) in contact.pairs().filter(given) {
             let radius = match document.surfaces[surface].shape {
                 Shape::Cylinder { radius, inside: false, .. } | Shape::Sheave { radius, .. } => document.value(radius),
                 _ => continue,
