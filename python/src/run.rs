@@ -7,7 +7,7 @@ use crate::refusal::{Refusal, place, raised, refusal};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::ranges::{Range, Ranges};
-use ancf14::model::refinement::{Refinement, leaves_mesh};
+use ancf14::model::refinement::{Refinement, is_repeated};
 use ancf14::model::rows;
 use ancf14::model::simulation::Halt;
 use ancf14::{Error, Kind, Simulation, VariableId};
@@ -70,7 +70,7 @@ pub fn run(
         };
         let mut film = new_film(&simulation);
         // A page of some rows, and a run that its caller ends, are what they are.
-        let is_asked = refine.unwrap_or_else(|| leaves_mesh(simulation.model().document()));
+        let is_asked = refine.unwrap_or_else(|| is_repeated(simulation.model().document()));
         let mut refinement = if is_asked && last.is_none() { simulation.refine(budget) } else { None };
         let driven = (&*driven, &*inputs);
         let outcome = advance(&mut simulation, &own_rows, &own_over, driven, film.as_mut(), last, refinement.as_mut());

@@ -38,7 +38,7 @@ mod vtk;
 mod watch;
 
 use ancf14::fmi::lifecycle::Standard;
-use ancf14::model::refinement::leaves_mesh;
+use ancf14::model::refinement::is_repeated;
 use ancf14_pack::libraries::Platform;
 use ancf14_report::draw::Projection;
 use ancf14_view::Film;
@@ -102,11 +102,11 @@ enum Command {
         /// Leave out the second run of a motion, with half the elements, that tells the mesh error
         #[arg(long)]
         no_mesh_error: bool,
-        /// Repeat the run with finer steps until its results are accurate, where the model file leaves the steps to the
-        /// program. Where it leaves the elements of a beam to the program, that is the default
+        /// Repeat the run with finer steps until its results are accurate, where the model file has an `accuracy`. Where
+        /// it leaves the steps or the elements of a beam to the program, that is the default
         #[arg(long)]
         refine: bool,
-        /// Run once, also where the model file leaves the elements of a beam to the program
+        /// Run once, also where the model file leaves the steps or the elements of a beam to the program
         #[arg(long, conflicts_with_all = ["refine", "budget"])]
         no_refine: bool,
         /// Bound of the cost of all repetitions together, over the cost of the first run [default: 20, and some seconds
@@ -353,7 +353,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
         } => {
             let (mut simulation, text) = model.load()?;
             let file_name = model.name();
-            let is_free = leaves_mesh(simulation.document());
+            let is_free = is_repeated(simulation.document());
             let is_wanted = verify.is_some() || simulation.document().simulation.verify;
             if is_wanted && inputs.is_some() {
                 let reason = "error: a run with --inputs cannot be verified: simulation.verify = true asks for it";

@@ -167,9 +167,9 @@ class Model:
         mesh error of a motion the model runs once more on a second thread, with half the elements: ``mesh_error=False`` leaves that
         out, as studies do.
 
-        Where the model file leaves the elements of a beam to the program, and the results are not accurate to 0.5 % of their range, the
+        Where the model file leaves the steps or the elements of a beam to the program, and the results are not accurate to 0.5 % of their range, the
         model runs again with finer steps and meshes, as by ``ancf14 run``: ``budget`` is what these runs may cost together, over the cost of
-        the first one (by default 20, and some seconds in any case). ``refine=True`` also does so where it leaves only the steps to the program; ``refine=False`` runs once, as studies do.
+        the first one (by default 20, and some seconds in any case). ``refine=True`` also does so where the file has an ``accuracy``; ``refine=False`` runs once, as studies do.
         """
         told: list[str] = []
         try:

@@ -125,7 +125,13 @@ pub struct Refinement {
     end: Option<End>,
 }
 
-/// Whether the file leaves the elements of a beam to the program: its run is repeated without being asked for that.
+/// Whether the file leaves the elements of a beam or the steps of a motion to the program: its run is repeated without
+/// being asked for that.
+pub fn is_repeated(document: &Document) -> bool {
+    leaves_mesh(document) || document.simulation.leaves_steps
+}
+
+/// Whether the file leaves the elements of a beam to the program.
 pub fn leaves_mesh(document: &Document) -> bool {
     document.beams.iter().any(|beam| beam.is_meshed_by_program)
 }

@@ -186,8 +186,15 @@ impl Statics {
         let is_new = |held: &&HeldCoordinate| before.held.iter().all(|other| other.index != held.index);
         let new = state.held.iter().filter(is_new).map(|held| held.index);
         let new: Vec<usize> = new.filter(|index| !system.is_spin_of_chain(*index)).collect();
-        let mut names: Vec<String> = new.iter().take(NAMED).map(|index| system.describe_unknown(*index)).collect();
-        let others = new.len() - names.len();
+        // The directions in which a body turns have one name.
+        let mut all: Vec<String> = Vec::new();
+        for name in new.iter().map(|index| system.describe_unknown(*index)) {
+            if !all.contains(&name) {
+                all.push(name);
+            }
+        }
+        let others = all.len().saturating_sub(NAMED);
+        let mut names: Vec<String> = all.into_iter().take(NAMED).collect();
         if others > 0 {
             names.push(format!("{others} more"));
         }

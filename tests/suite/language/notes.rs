@@ -73,6 +73,20 @@ fn regression_loose_parts_are_named() {
     }
 }
 
+/// Water carries beams, and bodies with a volume.
+#[test]
+fn what_floats_is_not_loose() {
+    let buoy = |volume: &str| {
+        format!(
+            "format = 1\n[model]\nname = \"Buoy\"\n[water]\ndensity = 1025\ndepth = 40\n\
+             [body.buoy]\nmass = 2000\nposition = [0, 0, 0]\ninertia = [800, 800, 800]\n{volume}\
+             [simulation]\nstop = 20\n"
+        )
+    };
+    assert_eq!(of(&buoy("volume = 4.2\n")), [] as [String; 0]);
+    assert!(of(&buoy(""))[0].contains("nothing holds the mechanism"));
+}
+
 /// Moduli in MPa and GPa and densities in g/cm³, kg/mm³ or t/mm³ are told with the number to write, those of rubber are not;
 /// statics do not ask for the density.
 #[test]

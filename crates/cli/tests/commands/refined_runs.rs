@@ -48,6 +48,24 @@ fn runs_are_repeated_until_they_are_accurate() {
     }
 }
 
+/// A file that has neither steps nor an accuracy asks for it, too: 95 vibrations, whose phase the first run loses.
+#[test]
+fn free_steps_are_refined() {
+    let directory = tempfile::tempdir().unwrap();
+    let free = MOUNT.replace("accuracy = 0.03\n", "").replace("stop = 5\n", "stop = 60\n");
+    fs::write(directory.path().join("mount.toml"), free).unwrap();
+    let told = |more: &[&str]| {
+        let ran = ancf14(directory.path(), &[&["run", "mount.toml", "-o", "out"], more].concat());
+        assert!(ran.status.success(), "{}", text(&ran.stderr));
+        (text(&ran.stdout), text(&ran.stderr))
+    };
+    let (once, warned) = told(&["--no-refine"]);
+    assert!(!once.contains(" runs, ") && warned.contains("because of the length of the steps"), "{once}{warned}");
+    let (told, warned) = told(&[]);
+    assert!(told.contains("2 runs, accuracy of the steps reached: 0.") && warned.is_empty(), "{told}{warned}");
+    assert!(error(directory.path()) < 0.005 * 0.196);
+}
+
 /// A budget that no repetition fits leaves the first run with its own warnings; the page and the summary have them.
 #[test]
 fn a_budget_is_kept() {

@@ -70,6 +70,8 @@ pub struct SimulationSpec {
     pub stop: Number,
     /// What the internal steps follow from.
     pub steps: Steps,
+    /// The file leaves the steps of a motion to the program: it has neither their length nor their accuracy.
+    pub leaves_steps: bool,
     /// Time between two rows of results, s; see
     /// [`Document::output_step`](crate::model::document::Document::output_step).
     pub output_step: Option<Number>,
@@ -223,6 +225,7 @@ impl SimulationSpec {
         let has_state = from_state.is_some();
         let [verify, mesh_error, correction] = errors(&mut reader, analysis, &follow, has_state, is_estimated);
         let totals = totals(&mut reader, analysis);
+        let leaves_steps = analysis == Analysis::Dynamic && step.is_none() && !reader.has(ACCURACY.key);
         let steps = steps(&mut reader, step, analysis == Analysis::Dynamic && !is_estimated);
         let place = reader.place;
         // The two that a host may always change are parameters also where the file does not write them; the two that
@@ -250,6 +253,7 @@ impl SimulationSpec {
             preload,
             stop,
             steps,
+            leaves_steps,
             output_step,
             tolerance,
             verify,

@@ -30,7 +30,12 @@ pub fn loose_parts(document: &Document) -> Vec<Note> {
         let parts: Vec<_> = ends.chain(wheels).collect();
         parts.windows(2).map(|pair| (pair[0], pair[1])).collect::<Vec<_>>()
     });
-    let groups = Groups::new(world + 1, pairs.chain(contacts).chain(beams).chain(foundations).chain(ropes));
+    // The water carries what has a volume in it.
+    let bodies = document.bodies.iter().enumerate().filter(|(_, body)| document.value(body.volume) > 0.0);
+    let wet = (0..document.beams.len()).chain(bodies.map(|(number, _)| document.beams.len() + number));
+    let afloat = wet.filter(|_| document.water.is_some()).map(|part| (part, world));
+    let held = pairs.chain(contacts).chain(beams).chain(foundations).chain(ropes).chain(afloat);
+    let groups = Groups::new(world + 1, held);
 
     let beams = document.beams.iter().map(|beam| (format!("beam {}", beam.name), beam.place));
     let bodies = document.bodies.iter().map(|body| (format!("body {}", body.name), body.place));
