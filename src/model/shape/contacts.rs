@@ -10,7 +10,8 @@ pub fn contact_radius(document: &Document, written: &ContactSpec, beam: usize) -
     let written = written.radius.filter(|_| written.beams.contains(&beam));
     written.map_or_else(
         || {
-            let own = &document.sections[document.beams[beam].section];
+            // A file with a section that it does not have is refused.
+            let Some(own) = document.sections.get(document.beams[beam].section) else { return 0.0 };
             let outline = sections::at_start(document, own).outline.size().map(|size| size[0].max(size[1]));
             // 0 keeps water off a beam, and says nothing of its size.
             let diameter = own.immersion.outer_diameter.map(|number| document.value(number)).filter(|own| *own > 0.0);

@@ -303,6 +303,12 @@ fn names_of_what_is_touched() {
     assert_eq!(pairs("[\"one\", \"two\"]"), [[0, 4], [7, 11]]);
     assert_eq!(pairs("\"itself\""), [[0, 0], [4, 4], [7, 7], [11, 11]]);
     assert!(try_start(&text("\"three\"")).is_err());
+    // A file without the section of its beams has no thickness to compare.
+    let bare = text("\"itself\"");
+    let (head, rest) = bare.split_once("[section.s]").unwrap();
+    let (_, tail) = rest.split_once("[copy.stand]").unwrap();
+    let message = try_start(&format!("{head}[copy.stand]{tail}")).unwrap_err();
+    assert!(message.contains("section"), "{message}");
 }
 
 /// A bar that is pressed on another one, 1 m and 1.2 m long, as stiff as steel: they touch over a fifth of a millimeter,
