@@ -23,32 +23,37 @@ impl System {
         if !state.memory.is_empty() {
             // Out of the state while the configuration looks at the rest of it.
             let mut memory = std::mem::take(&mut state.lists.memory);
-            let end = self.configuration(q, frames, state, prescribed);
-            for spring in &self.springs {
-                if let (Some(place), Some(dry)) = (spring.memory, spring.law.as_ref().and_then(Law::dry)) {
-                    let way = spring.way(&self.relative_coordinates[spring.coordinate], &end);
-                    memory[place] = dry.displaced(memory[place], way);
-                }
-            }
-            self.remember_stations(&end, &mut memory);
-            match over {
-                Some((middle, passage)) => {
-                    self.remember_grips(middle, passage, &mut memory);
-                    self.remember_ropes(middle, passage, &mut memory);
-                }
-                None if self.has_contact_friction() || !self.ropes.is_empty() => {
-                    let before = memory.clone();
-                    let end = Configuration { memory: &before, ..end };
-                    self.remember_grips(&end, &Passage::Rest, &mut memory);
-                    self.remember_ropes(&end, &Passage::Rest, &mut memory);
-                }
-                None => {}
-            }
+            let reads = over.is_none() && (self.has_contact_friction() || !self.ropes.is_empty());
+            let before = if reads { memory.clone() } else { Vec::new() };
+            let end = Configuration { memory: &before, ..self.configuration(q, frames, state, prescribed) };
+            self.remember(&end, over, &mut memory);
             state.lists.memory = memory;
         }
         state.q.copy_from_slice(q);
         state.prescribed.copy_from(prescribed);
         self.carry_references(state, frames);
+    }
+
+    /// Sets `memory`, that of the last accepted state, to what forces remember at `end`; `over` as [`Self::arrive`] has
+    /// it. Without that, `end` has a copy of the memory.
+    pub fn remember(&self, end: &Configuration, over: Option<(&Configuration, &Passage)>, memory: &mut [f64]) {
+        for spring in &self.springs {
+            if let (Some(index), Some(dry)) = (spring.memory, spring.law.as_ref().and_then(Law::dry)) {
+                let way = spring.way(&self.relative_coordinates[spring.coordinate], end);
+                memory[index] = dry.displaced(memory[index], way);
+            }
+        }
+        self.remember_stations(end, memory);
+        match over {
+            Some((middle, passage)) => {
+                self.remember_grips(middle, passage, memory);
+                self.remember_ropes(middle, passage, memory);
+            }
+            None => {
+                self.remember_grips(end, &Passage::Rest, memory);
+                self.remember_ropes(end, &Passage::Rest, memory);
+            }
+        }
     }
 
     /// The names of the forces that remember, in the order of the memory of a state.

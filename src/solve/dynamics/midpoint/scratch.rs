@@ -27,14 +27,16 @@ pub struct Start<'a> {
     pub q: &'a [f64],
     pub velocity: &'a [f64],
     pub strain_rates: &'a [f64],
+    /// What forces remember.
+    pub memory: &'a [f64],
     /// Everything else: reference triads, holonomy angles, momenta.
     pub state: &'a State,
 }
 
 impl<'a> From<&'a State> for Start<'a> {
     fn from(state: &'a State) -> Self {
-        let Lists { q, velocity, strain_rates, .. } = &state.lists;
-        Self { q, velocity, strain_rates, state }
+        let Lists { q, velocity, strain_rates, memory, .. } = &state.lists;
+        Self { q, velocity, strain_rates, memory, state }
     }
 }
 
@@ -351,7 +353,7 @@ impl Scratch {
 /// The start, the middle and the end of a step that starts from `from`.
 pub fn configurations<'a>(
     system: &'a System,
-    Start { q, state, .. }: Start<'a>,
+    Start { q, memory, state, .. }: Start<'a>,
     [q_middle, q_end]: [&'a [f64]; 2],
     [frames_start, frames_middle, frames_end]: [&'a FrameCache; 3],
     [prescribed_middle, prescribed_end]: [&'a Prescribed; 2],
@@ -361,6 +363,7 @@ pub fn configurations<'a>(
         system.configuration(q_middle, frames_middle, state, prescribed_middle),
         system.configuration(q_end, frames_end, state, prescribed_end),
     ]
+    .map(|own| Configuration { memory, ..own })
 }
 
 /// The step between the two ends that starts from `from`, of `duration` s.

@@ -88,13 +88,15 @@ struct Moved {
     q: Vec<f64>,
     velocity: Vec<f64>,
     strain_rates: Vec<f64>,
+    /// Forces remember the way from the start of the step to here: what sticks, or winds up, holds against the error.
+    memory: Vec<f64>,
 }
 
 impl Moved {
     /// The start of a step from it.
     fn beside<'a>(&'a self, state: &'a State) -> Start<'a> {
-        let Self { q, velocity, strain_rates } = self;
-        Start { q, velocity, strain_rates, state }
+        let Self { q, velocity, strain_rates, memory } = self;
+        Start { q, velocity, strain_rates, memory, state }
     }
 }
 
@@ -311,6 +313,10 @@ impl Estimator {
         scratch.prescribed_middle.copy_from(&solution.prescribed_middle);
         scratch.prescribed_end.copy_from(&solution.prescribed_end);
         let first = scratch.frames_start.at(system, &start.q, state, &state.prescribed);
+        if !state.lists.memory.is_empty() {
+            start.memory.clone_from(&state.lists.memory);
+            system.remember(&first, None, &mut start.memory);
+        }
         system.begin_step(&first, &solution.prescribed_middle.drives, &start.velocity, &mut scratch.starts, None);
         // The dissipation is that of the step, as far as it knows the start: its rates there stay.
         let known = velocity.iter().zip(&error.acceleration).zip(&solution.increment);
