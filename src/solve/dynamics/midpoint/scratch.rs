@@ -27,7 +27,7 @@ pub struct Start<'a> {
     pub q: &'a [f64],
     pub velocity: &'a [f64],
     pub strain_rates: &'a [f64],
-    /// What forces remember.
+    /// The memory of forces.
     pub memory: &'a [f64],
     /// Everything else: reference triads, holonomy angles, momenta.
     pub state: &'a State,
