@@ -11,6 +11,7 @@ use ancf14::model::steady::{Frame, Spin, Steady};
 use ancf14_report::bode;
 use ancf14_report::matrices::{System, word};
 use ancf14_report::numbers::significant;
+use ancf14_report::poles;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -32,6 +33,9 @@ pub struct Wishes {
     /// Its frequencies, Hz, as in 0.1:100 [default: about the softest vibrations]
     #[arg(long, value_name = "FROM:TO", value_parser = frequencies, requires = "bode")]
     frequencies: Option<[f64; 2]>,
+    /// Draw the softest poles in the complex plane, as SVG: as many as --poles says
+    #[arg(long, value_name = "FILE")]
+    pole_map: Option<PathBuf>,
     /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, .json, or .fmu for a small FMU
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -172,15 +176,20 @@ pub fn find(model: &ModelArguments, place: &Place) -> Result<(Simulation, Linear
 pub fn linearize(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -> Result<(), Stop> {
     let file = wishes.output.as_deref();
     let target = file.map(|path| Target::new(path, &wishes.packing, model.input(), program)).transpose()?;
-    if let Some(path) = &wishes.bode {
-        if file == Some(path.as_path()) {
-            return Err(Stop::Bad("error: --bode and --output name the same file; give two names".to_owned()));
+    let pictures = [("--bode", &wishes.bode), ("--pole-map", &wishes.pole_map)];
+    let pictures: Vec<(&str, &PathBuf)> =
+        pictures.into_iter().filter_map(|(option, path)| Some((option, path.as_ref()?))).collect();
+    for (number, (option, path)) in pictures.iter().enumerate() {
+        let other = pictures[..number].iter().find(|(_, other)| other == path).map(|(other, _)| *other);
+        if let Some(other) = other.or((file == Some(path.as_path())).then_some("--output")) {
+            return Err(Stop::Bad(format!("error: {option} and {other} name the same file; give two names")));
         }
-        output::spare(&[model.input()], std::slice::from_ref(path))?;
+        output::spare(&[model.input()], std::slice::from_ref(*path))?;
         output::try_out(path)?;
     }
     let (simulation, found) = find(model, &wishes.place)?;
     let prints = wishes.poles.is_some() || wishes.output.is_none();
+    let count = usize::from(wishes.poles.flatten().unwrap_or(POLES));
     let poles = match found.poles(&simulation) {
         Ok(poles) => poles,
         Err(failure) if prints => return Err(failed(&simulation, &failure)),
@@ -201,6 +210,11 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>
         let picture = picture.map_err(|reason| Stop::Failed(format!("error: cannot draw the diagram: {reason}")))?;
         output::write(path, picture.as_bytes())?;
     }
+    if let Some(path) = &wishes.pole_map {
+        let picture = poles::svg(&poles[..count.min(poles.len())], &name);
+        let picture = picture.map_err(|reason| Stop::Failed(format!("error: cannot draw the poles: {reason}")))?;
+        output::write(path, picture.as_bytes())?;
+    }
     let checked = if wishes.check { Some(check(model, wishes.place.at, &found, &poles)?) } else { None };
     if voice::is_json() {
         let mut document = document(&found, &poles);
@@ -211,7 +225,7 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>
         return Ok(());
     }
     if prints {
-        say(&table(&poles, usize::from(wishes.poles.flatten().unwrap_or(POLES))))?;
+        say(&table(&poles, count))?;
     }
     if let Some(checked) = checked {
         let [pole, run] = [checked.pole, checked.run]

@@ -19,6 +19,7 @@ pub mod overview;
 mod panels;
 pub mod picture;
 pub mod plot;
+pub mod poles;
 pub mod ranges;
 pub mod results;
 pub mod shapes;

@@ -157,3 +157,19 @@ fn bode_diagrams_are_drawn() {
         assert!(text(&output.stderr).contains("two frequencies above 0 in Hz were expected"), "{range}");
     }
 }
+
+/// The map has the kinds of the poles; a file that another picture has is refused.
+#[test]
+fn poles_are_drawn() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("slider.toml"), SLIDER).unwrap();
+    let run = |more: &[&str]| ancf14(directory.path(), &[&["linearize", "slider.toml"], more].concat());
+    let output = run(&["--pole-map", "poles.svg", "--poles=5"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let picture = std::fs::read_to_string(directory.path().join("poles.svg")).unwrap();
+    for words in ["Slider: poles", "real part (rad/s)", "imaginary part (rad/s)", "oscillating"] {
+        assert!(picture.contains(words), "{words}");
+    }
+    let output = run(&["--pole-map", "a.svg", "--bode", "a.svg"]);
+    assert!(text(&output.stderr).contains("--pole-map and --bode name the same file"), "{}", text(&output.stderr));
+}
