@@ -41,6 +41,8 @@ const RATIO_DIGITS: usize = 4;
 /// Round-off of a damping ratio, and an error of a mesh that nobody asks the size of.
 const SMALL_RATIO: f64 = 1e-12;
 const SMALL_ERROR: f64 = 1e-6;
+/// A share of shear below this is not worth a cell.
+const SMALL_SHEAR: f64 = 1e-5;
 /// Modes that are found where no number is given.
 const COUNT: u16 = 10;
 /// The page in which the shapes swing.
@@ -205,6 +207,7 @@ fn document(found: &Modes) -> Value {
             "modal_mass": mode.modal_mass,
             "damping_ratio": mode.damping_ratio,
             "mesh_error": mode.mesh_error,
+            "shear": mode.shear,
             "moves": mode.moves,
         })
     };
@@ -212,8 +215,9 @@ fn document(found: &Modes) -> Value {
 }
 
 fn table(found: &Modes) -> String {
-    let mut rows =
-        vec![["mode", "frequency Hz", "rad/s", "damping ratio", "mesh error", "moves most"].map(str::to_owned)];
+    let mut rows = vec![
+        ["mode", "frequency Hz", "rad/s", "damping ratio", "mesh error", "shear", "moves most"].map(str::to_owned),
+    ];
     for (number, mode) in found.modes.iter().enumerate() {
         let omega = mode.angular_frequency();
         let [frequency, omega, ratio] = match mode.kind {
@@ -228,7 +232,9 @@ fn table(found: &Modes) -> String {
             _ if error < SMALL_ERROR => format!("below {}", percent(SMALL_ERROR)),
             _ => percent(error),
         });
-        rows.push([(number + 1).to_string(), frequency, omega, ratio, error.unwrap_or_default(), mode.moves.clone()]);
+        let shear = if mode.shear < SMALL_SHEAR { String::new() } else { percent(mode.shear) };
+        let [number, error] = [(number + 1).to_string(), error.unwrap_or_default()];
+        rows.push([number, frequency, omega, ratio, error, shear, mode.moves.clone()]);
     }
     super::check::aligned(&rows).trim_end().to_owned()
 }

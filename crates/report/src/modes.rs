@@ -30,14 +30,19 @@ pub fn digits(value: f64) -> String {
 /// The text of modes.csv: a row a mode.
 pub fn list(found: &Modes) -> String {
     let mut text =
-        "mode,kind,frequency,angular_frequency,growth_rate,eigenvalue,modal_mass,damping_ratio,mesh_error,moves\n"
+        "mode,kind,frequency,angular_frequency,growth_rate,eigenvalue,modal_mass,damping_ratio,mesh_error,shear,moves\n"
             .to_owned();
     for (number, mode) in found.modes.iter().enumerate() {
         let (kind, omega) = (word(mode), mode.angular_frequency());
         let frequency = omega / std::f64::consts::TAU;
         let numbers = [frequency, omega, mode.growth_rate(), mode.eigenvalue, mode.modal_mass, mode.damping_ratio];
         let (numbers, error) = (numbers.map(shortest).join(","), mode.mesh_error.map(shortest).unwrap_or_default());
-        text.push_str(&format!("{},{kind},{numbers},{error},\"{}\"\n", number + 1, mode.moves));
+        text.push_str(&format!(
+            "{},{kind},{numbers},{error},{},\"{}\"\n",
+            number + 1,
+            shortest(mode.shear),
+            mode.moves
+        ));
     }
     text
 }

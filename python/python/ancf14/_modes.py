@@ -29,6 +29,8 @@ class Modes:
     """Damping ratios to first order, without dry friction, shape ``(k,)``; 0 for modes that do not vibrate."""
     mesh_error: Array
     """Errors of the frequencies because of the mesh, as shares, shape ``(k,)``; NaN where not known."""
+    shear: Array
+    """Shares by which the shear of beams, which is left out, would lower the frequencies, shape ``(k,)``."""
     kind: list[str]
     """``vibration``, ``free`` or ``unstable`` for each mode."""
     largest: list[str]
@@ -48,8 +50,8 @@ class Modes:
     @classmethod
     def _of(cls, found: tuple[Any, ...]) -> Modes:
         modes, places, positions, displacements, turns, _ = found
-        numbers = np.array([mode[2] for mode in modes], dtype=float).reshape(-1, 6)
-        omega, growth, eigenvalue, mass, ratio, error = (np.ascontiguousarray(column) for column in numbers.T)
+        numbers = np.array([mode[2] for mode in modes], dtype=float).reshape(-1, 7)
+        omega, growth, eigenvalue, mass, ratio, error, shear = (np.ascontiguousarray(column) for column in numbers.T)
         shape = (len(modes), len(places), 3)
         return cls(
             frequency=omega / (2 * np.pi),
@@ -59,6 +61,7 @@ class Modes:
             modal_mass=mass,
             damping_ratio=ratio,
             mesh_error=error,
+            shear=shear,
             kind=[mode[0] for mode in modes],
             largest=[mode[1] for mode in modes],
             places=places,

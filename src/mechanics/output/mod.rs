@@ -13,4 +13,5 @@ pub mod mode_shape;
 mod proportions;
 pub mod section_loads;
 pub mod section_stress;
+mod shear;
 mod strain_fit;

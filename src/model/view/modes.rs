@@ -7,6 +7,7 @@ use crate::mechanics::beam::Beam;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
+use crate::model::run::accuracy::percent;
 use crate::model::run::simulation::linear::{Pole, PoleKind};
 use crate::model::run::simulation::{Simulation, failure};
 use crate::solve::modes;
@@ -20,6 +21,8 @@ const BALANCED: f64 = 1e-6;
 const SYMMETRIC: f64 = 1e-8;
 /// Damping ratio up to which the frequency with damping, `√(1 − ζ²)` times the one without, is the same to 2 %.
 const LIGHT: f64 = 0.2;
+/// Share of a frequency by which shear would lower it from which on it is worth a warning.
+const SHEARED: f64 = 0.02;
 /// Points of a line in each element.
 const POINTS: usize = 8;
 
@@ -52,6 +55,9 @@ pub struct Mode {
     pub modal_mass: f64,
     /// Its damping ratio to first order, without dry friction; 0 of what does not swing.
     pub damping_ratio: f64,
+    /// The share by which its frequency would be lower with the shear of beams, which is left out, to first order; 0 of
+    /// what does not swing.
+    pub shear: f64,
     /// The error of its frequency because of the mesh, as a share; none: not known, or it does not swing.
     pub mesh_error: Option<f64>,
     /// What it moves most, in words.
@@ -125,6 +131,10 @@ impl Simulation {
                 eigenvalue: mode.eigenvalue,
                 modal_mass: extreme.amount.powi(-2),
                 damping_ratio: *ratio,
+                shear: match mode.kind {
+                    Kind::Vibration => 1.0 - (1.0 + system.shear_form(state, &mode.shape) / mode.eigenvalue).powf(-0.5),
+                    Kind::Free | Kind::Unstable => 0.0,
+                },
                 mesh_error: None,
                 moves: extreme.what,
                 motions: motions
@@ -136,15 +146,24 @@ impl Simulation {
         });
         let moving = state.velocity.iter().any(|value| *value != 0.0);
         let has_preload = self.document().simulation.preload.is_some();
-        Ok(Modes {
-            modes: modes.collect(),
-            places,
-            nodes,
-            lines: drawn_lines(system, &state.q),
-            freedoms: found.freedoms,
-            warnings: warnings((system, state), &found, &ratios, moving, has_preload),
-        })
+        let modes: Vec<Mode> = modes.collect();
+        let mut warnings = warnings((system, state), &found, &ratios, moving, has_preload);
+        warnings.extend(warning_of_shear(&modes));
+        Ok(Modes { modes, places, nodes, lines: drawn_lines(system, &state.q), freedoms: found.freedoms, warnings })
     }
+}
+
+/// Warns of the mode that shear would change most.
+fn warning_of_shear(modes: &[Mode]) -> Option<String> {
+    let (number, mode) = modes.iter().enumerate().max_by(|a, b| a.1.shear.total_cmp(&b.1.shear))?;
+    (mode.shear > SHEARED).then(|| {
+        format!(
+            "with the shear of beams, which is left out, the frequency of mode {} would be about {} lower: its waves \
+             are short beside the height of the section",
+            number + 1,
+            percent(mode.shear)
+        )
+    })
 }
 
 /// A mode with damping.

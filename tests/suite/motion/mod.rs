@@ -21,6 +21,7 @@ pub mod released_motions;
 pub mod rigid_rotation;
 pub mod rollback;
 mod rotary_inertia;
+mod shear_of_modes;
 mod slender_derivatives;
 pub mod start_derivatives;
 pub mod steady_rotation;

@@ -54,7 +54,7 @@ fn files_are_written_as_agreed() {
     let rows: Vec<&str> = list.lines().collect();
     assert_eq!(
         rows[0],
-        "mode,kind,frequency,angular_frequency,growth_rate,eigenvalue,modal_mass,damping_ratio,mesh_error,moves"
+        "mode,kind,frequency,angular_frequency,growth_rate,eigenvalue,modal_mass,damping_ratio,mesh_error,shear,moves"
     );
     assert_eq!(rows.len(), 5);
     let cells: Vec<&str> = rows[1].split(',').collect();
