@@ -43,7 +43,7 @@ def test_modes_are_those_of_the_command_line() -> None:
         rows = list(csv.DictReader(table))
     modes = ancf14.Model(CANTILEVER).modes(4)
     assert len(modes) == len(rows) == 4
-    for name in ("angular_frequency", "growth_rate", "eigenvalue", "modal_mass", "damping_ratio"):
+    for name in ("angular_frequency", "growth_rate", "eigenvalue", "modal_mass", "damping_ratio", "mesh_error", "shear"):
         assert getattr(modes, name).tolist() == [float(row[name]) for row in rows], name
     assert modes.kind == [row["kind"] for row in rows] and modes.largest == [row["moves"] for row in rows]
     assert modes.displacement.shape == (4, len(modes.places), 3) == modes.rotation.shape
