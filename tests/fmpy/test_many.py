@@ -113,7 +113,7 @@ def bears_small_stacks(fmu, folder, least=USUAL):
 
 def test_small_stacks(fmu, tmp_path):
     """Every unit, with derivatives by time and by inputs and a state as bytes, in a thread with the stack that is promised to be enough."""
-    bears_small_stacks(fmu, tmp_path, WITH_ROPES if fmu.stem == "derrick" else USUAL)
+    bears_small_stacks(fmu, tmp_path, WITH_ROPES if fmu.stem in ("derrick", "belt_drive") else USUAL)
 
 
 def test_small_stacks_and_a_bushing(tmp_path):
