@@ -11,6 +11,7 @@ pub mod finer_meshes;
 pub mod limits_of_models;
 pub mod mesh_error_of_units;
 pub mod mesh_truth;
+pub mod meshes_of_modes;
 pub mod motion_meshes;
 pub mod refinement;
 pub mod relieved_strains;
