@@ -18,7 +18,7 @@ use std::path::PathBuf;
 
 /// A mode: kind, what it moves most, then angular frequency, growth rate, eigenvalue, modal mass, damping
 /// ratio, and the error because of the mesh; not a number: not known; then the share of
-/// shear.
+/// shear, likewise.
 type FoundMode = (&'static str, String, [f64; 7]);
 
 /// Modes; names of the places; the positions of the places; displacements and turns of each mode at each place;
@@ -35,7 +35,7 @@ pub fn modes(found: &Modes) -> FoundModes {
             mode.modal_mass,
             mode.damping_ratio,
             mode.mesh_error.unwrap_or(f64::NAN),
-            mode.shear,
+            mode.shear.unwrap_or(f64::NAN),
         ];
         (word(mode), mode.moves.clone(), numbers)
     });

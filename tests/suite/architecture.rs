@@ -337,3 +337,18 @@ fn the_page_names_files_that_exist() {
         assert!(root().join(path).exists(), "ARCHITECTURE.md names {path}, which is not there");
     }
 }
+
+/// A file that no `mod` names is not compiled, and its tests never run.
+#[test]
+fn every_file_of_the_suite_is_part_of_it() {
+    let mut list = Vec::new();
+    files(&root().join("tests/suite"), &mut list);
+    for path in list.iter().filter(|path| !path.ends_with("main.rs")) {
+        let is_folder = path.ends_with("mod.rs");
+        let name = if is_folder { path.parent().unwrap() } else { path.as_path() };
+        let above = name.parent().unwrap();
+        let parent = [above.join("mod.rs"), above.join("main.rs")].into_iter().find(|file| file.exists()).unwrap();
+        let own = format!("mod {};", name.file_stem().unwrap().to_str().unwrap());
+        assert!(fs::read_to_string(&parent).unwrap().contains(&own), "{} has no `{own}`", parent.display());
+    }
+}

@@ -41,7 +41,7 @@ const RATIO_DIGITS: usize = 4;
 /// Round-off of a damping ratio, and an error of a mesh that nobody asks the size of.
 const SMALL_RATIO: f64 = 1e-12;
 const SMALL_ERROR: f64 = 1e-6;
-/// A share of shear below this is not worth a cell.
+/// A share of shear that nobody asks the size of.
 const SMALL_SHEAR: f64 = 1e-5;
 /// Modes that are found where no number is given.
 const COUNT: u16 = 10;
@@ -232,9 +232,12 @@ fn table(found: &Modes) -> String {
             _ if error < SMALL_ERROR => format!("below {}", percent(SMALL_ERROR)),
             _ => percent(error),
         });
-        let shear = if mode.shear < SMALL_SHEAR { String::new() } else { percent(mode.shear) };
+        let shear = mode.shear.map(|shear| match shear {
+            _ if shear < SMALL_SHEAR => format!("below {}", percent(SMALL_SHEAR)),
+            _ => percent(shear),
+        });
         let [number, error] = [(number + 1).to_string(), error.unwrap_or_default()];
-        rows.push([number, frequency, omega, ratio, error, shear, mode.moves.clone()]);
+        rows.push([number, frequency, omega, ratio, error, shear.unwrap_or_default(), mode.moves.clone()]);
     }
     super::check::aligned(&rows).trim_end().to_owned()
 }

@@ -40,7 +40,7 @@ pub fn list(found: &Modes) -> String {
         text.push_str(&format!(
             "{},{kind},{numbers},{error},{},\"{}\"\n",
             number + 1,
-            shortest(mode.shear),
+            mode.shear.map(shortest).unwrap_or_default(),
             mode.moves
         ));
     }

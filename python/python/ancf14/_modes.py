@@ -30,7 +30,7 @@ class Modes:
     mesh_error: Array
     """Errors of the frequencies because of the mesh, as shares, shape ``(k,)``; NaN where not known."""
     shear: Array
-    """Shares by which the shear of beams, which is left out, would lower the frequencies, shape ``(k,)``."""
+    """Shares by which the shear of beams, which is left out, would lower the frequencies, shape ``(k,)``; NaN where not known."""
     kind: list[str]
     """``vibration``, ``free`` or ``unstable`` for each mode."""
     largest: list[str]

@@ -16,11 +16,11 @@ const REACH: f64 = 1e-5;
 
 impl System {
     /// `∫ V²/(k G A) ds` of all beams in the small motion `motion` about `state`: twice the energy of the shear that is
-    /// left out, J. Sections whose shear stiffness is not known have none.
-    pub fn shear_form(&self, state: &State, motion: &[f64]) -> f64 {
+    /// left out, J; none: a beam has sections whose shear stiffness is not known. Chains, which do not bend, have none.
+    pub fn shear_form(&self, state: &State, motion: &[f64]) -> Option<f64> {
         let size = self.motion_size(motion);
         if size == 0.0 || !size.is_finite() {
-            return 0.0;
+            return None;
         }
         let reach = REACH / size;
         let slopes = [reach, -reach].map(|reach| {
@@ -30,10 +30,10 @@ impl System {
         let [ahead, behind] = &slopes;
         let elements = self.beams.iter().flat_map(|beam| (0..beam.elements()).map(move |number| (beam, number)));
         let forms = elements.zip(ahead.iter().zip(behind)).map(|((beam, number), (ahead, behind))| {
-            let Some(stiffness) = self.shear_stiffness(beam, number) else { return 0.0 };
+            let stiffness = self.shear_stiffness(beam, number)?;
             let force = [0, 1].map(|axis| (ahead[axis] - behind[axis]) / (2.0 * reach));
             let length = self.mesh.elements[beam.first_element + number].ancf14().map_or(0.0, |own| own.length);
-            length * (force[0] * force[0] + force[1] * force[1]) / stiffness
+            Some(length * (force[0] * force[0] + force[1] * force[1]) / stiffness)
         });
         forms.sum()
     }
@@ -50,11 +50,14 @@ impl System {
         slopes.collect()
     }
 
-    /// `k G A` of an element of `beam`, N; none: it is not known.
+    /// `k G A` of an element of `beam`, N, infinite of a chain; none: it is not known.
     fn shear_stiffness(&self, beam: &Beam, number: usize) -> Option<f64> {
         let element = self.mesh.elements[beam.first_element + number].ancf14()?;
         let section: Section = beam.section_at((number as f64 + 0.5) / beam.elements() as f64);
-        if section.limp.torsion || section.limp.bending {
+        if section.limp.bending {
+            return Some(f64::INFINITY);
+        }
+        if section.limp.torsion {
             return None;
         }
         let modulus = element.stiffness.torsion / section.torsion_constant;

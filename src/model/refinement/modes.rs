@@ -31,6 +31,8 @@ pub struct RefinedModes {
     pub modes: Modes,
     /// The elements of all beams.
     pub elements: usize,
+    /// The program chooses all of them.
+    is_chosen: bool,
 }
 
 impl RefinedModes {
@@ -43,7 +45,7 @@ impl RefinedModes {
 
     /// The warning about the mesh; none: frequencies are as right as a reader expects.
     pub fn warning(&self) -> Option<String> {
-        warning(&self.modes)
+        warning(&self.modes, self.is_chosen)
     }
 }
 
@@ -75,10 +77,10 @@ impl Simulation {
         let elements = current.system().mesh.elements.len();
         if chosen.contains(&false) {
             modes = current.with_mesh_errors(modes, count);
-        } else if let Some(warning) = warning(&modes) {
+        } else if let Some(warning) = warning(&modes, true) {
             modes.warnings.push(warning);
         }
-        Ok(RefinedModes { simulation, modes, elements })
+        Ok(RefinedModes { simulation, modes, elements, is_chosen: !chosen.contains(&false) })
     }
 
     /// The vibrations by the speed, on the mesh on which those at rest have the accuracy of [`Self::refined_modes`].
@@ -87,11 +89,9 @@ impl Simulation {
     /// As [`Simulation::campbell`].
     pub fn refined_campbell(&self, sweep: &Sweep) -> Result<Campbell, Failure> {
         // A mechanism without modes at rest may have some about a rotation.
-        let Ok(RefinedModes { simulation, modes, .. }) = self.refined_modes(sweep.count) else {
-            return self.campbell(sweep);
-        };
-        let mut found = simulation.as_deref().unwrap_or(self).campbell(sweep)?;
-        found.warnings.extend(warning(&modes));
+        let Ok(refined) = self.refined_modes(sweep.count) else { return self.campbell(sweep) };
+        let mut found = refined.simulation.as_deref().unwrap_or(self).campbell(sweep)?;
+        found.warnings.extend(refined.warning());
         Ok(found)
     }
 
@@ -110,7 +110,7 @@ impl Simulation {
         let gain = 2.0_f64.powf(ORDER);
         let differences = differences(&modes, &finer);
         let mut modes = with_errors(modes, &differences, gain / (gain - 1.0));
-        modes.warnings.extend(warning(&modes));
+        modes.warnings.extend(warning(&modes, false));
         modes
     }
 
@@ -157,12 +157,16 @@ fn worst(modes: &Modes) -> Option<(usize, f64)> {
     known.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-fn warning(modes: &Modes) -> Option<String> {
+/// The warning about a mesh, which the program has chosen or the file gives.
+fn warning(modes: &Modes, is_chosen: bool) -> Option<String> {
     let (mode, error) = worst(modes).filter(|(_, error)| *error > WARNED * EXPECTED)?;
     let size = if error > 1.0 { String::from("more than 100 %") } else { format!("about {}", percent(error)) };
     let times = (error.min(1.0) / EXPECTED).powf(1.0 / ORDER);
+    let remedy = match is_chosen {
+        true => String::from("ask for fewer modes, or give the beams more `elements`"),
+        false => format!("take {times:.1} times the elements, or leave `elements` to the program"),
+    };
     Some(format!(
-        "the frequency of mode {mode} is off by {size} because of the mesh, as one twice as fine shows; take \
-         {times:.1} times the elements, or leave `elements` to the program"
+        "the frequency of mode {mode} is off by {size} because of the mesh, as one twice as fine shows; {remedy}"
     ))
 }

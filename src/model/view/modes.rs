@@ -55,9 +55,9 @@ pub struct Mode {
     pub modal_mass: f64,
     /// Its damping ratio to first order, without dry friction; 0 of what does not swing.
     pub damping_ratio: f64,
-    /// The share by which its frequency would be lower with the shear of beams, which is left out, to first order; 0 of
-    /// what does not swing.
-    pub shear: f64,
+    /// The share by which its frequency would be lower with the shear of beams, which is left out. None: the shear
+    /// stiffness of a section is not known, or it does not swing.
+    pub shear: Option<f64>,
     /// The error of its frequency because of the mesh, as a share; none: not known, or it does not swing.
     pub mesh_error: Option<f64>,
     /// What it moves most, in words.
@@ -131,10 +131,7 @@ impl Simulation {
                 eigenvalue: mode.eigenvalue,
                 modal_mass: extreme.amount.powi(-2),
                 damping_ratio: *ratio,
-                shear: match mode.kind {
-                    Kind::Vibration => 1.0 - (1.0 + system.shear_form(state, &mode.shape) / mode.eigenvalue).powf(-0.5),
-                    Kind::Free | Kind::Unstable => 0.0,
-                },
+                shear: shear(system, state, mode),
                 mesh_error: None,
                 moves: extreme.what,
                 motions: motions
@@ -153,17 +150,21 @@ impl Simulation {
     }
 }
 
+/// The share by which shear would lower the frequency of a mode (docs/theory/linear-systems.md).
+fn shear(system: &System, state: &State, mode: &modes::Mode) -> Option<f64> {
+    let form = (mode.kind == Kind::Vibration).then(|| system.shear_form(state, &mode.shape))??;
+    Some(1.0 - (1.0 + form / mode.eigenvalue).powf(-0.5))
+}
+
 /// Warns of the mode that shear would change most.
 fn warning_of_shear(modes: &[Mode]) -> Option<String> {
-    let (number, mode) = modes.iter().enumerate().max_by(|a, b| a.1.shear.total_cmp(&b.1.shear))?;
-    (mode.shear > SHEARED).then(|| {
-        format!(
-            "with the shear of beams, which is left out, the frequency of mode {} would be about {} lower: its waves \
-             are short beside the height of the section",
-            number + 1,
-            percent(mode.shear)
-        )
-    })
+    let known = modes.iter().enumerate().filter_map(|(number, mode)| Some((number + 1, mode.shear?)));
+    let (number, shear) = known.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, shear)| *shear > SHEARED)?;
+    Some(format!(
+        "mode {number} would have a frequency about {} lower with the shear of beams, which is left out: its waves are \
+         short beside the height of the section. Take the frequencies less the shares in the column `shear`",
+        percent(shear)
+    ))
 }
 
 /// A mode with damping.

@@ -67,7 +67,7 @@ fn orthonormalize(vectors: &mut [Vec<Complex>]) -> f64 {
         least = least.min(left / whole);
         own.iter_mut().for_each(|own| *own /= left);
     }
-    if least.is_nan() { 0.0 } else { least }
+    least
 }
 
 /// An orthonormal basis of the `count` vectors of `matrix` with the eigenvalue `value`; none: it has fewer.

@@ -1,9 +1,7 @@
 //! Equilibria of beams that touch surfaces, against closed forms and shooting solutions.
 
 use crate::running::{run, start, value, vector};
-use ancf14::fmi::Model;
 use ancf14_testing::capstan::{self, Pulled};
-use ancf14_testing::curves::load;
 use std::f64::consts::PI;
 
 /// `e^(μ φ)` to half a percent with eight elements on half a turn; a thick rope slides earlier, since its axis turns
@@ -17,21 +15,6 @@ fn ropes_on_posts() {
         assert!((wrapped / angle - 1.0).abs() < 0.05, "{wrapped} of {angle}");
         assert!((ratio / exact - 1.0).abs() < 5e-3, "{angle}, {radius}: {ratio} {exact}");
     }
-}
-
-/// The mesh error of a rope that friction holds is told from a run with twice the elements. Equilibria of a finer mesh
-/// that begin with the shape of this one would start all forces of friction anew, and the reaction would be told to be
-/// off by 10 %; it is off by 0.15 % where all of the rope slides.
-#[test]
-fn mesh_errors_of_friction_are_those_of_whole_ways() {
-    let mut simulation = load(&capstan::model(PI, 0.0), &[]);
-    simulation.ask_for_mesh_error(|companion| Box::new(companion));
-    simulation.initialize(0.0).unwrap_or_else(|failure| panic!("{}", failure.message));
-    run(&mut simulation, 0.02, 1.0, |_| {});
-    simulation.conclude();
-    let told = simulation.mesh_errors().iter().find(|own| own.name == "high.reaction_force").expect("its mesh error");
-    println!("{told:?}");
-    assert!(told.error < 1e-2, "{told:?}");
 }
 
 /// A beam that a force presses down between two cylinders: its deflection by shooting, to a thousandth. The penetration

@@ -282,7 +282,7 @@ fn errors(
     }
     let verify = reader.boolean("verify", false);
     if analysis == Analysis::Static {
-        let message = "`mesh_error` belongs to a motion: equilibria always tell their mesh error";
+        let message = "`mesh_error` belongs to a motion: equilibria tell their mesh error without it";
         reader.refuse("mesh_error", message, "remove it, or set analysis = \"dynamic\"");
     }
     if has_state {
