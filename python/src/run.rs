@@ -7,7 +7,7 @@ use crate::refusal::{Refusal, place, raised, refusal};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::model::ranges::{Range, Ranges};
-use ancf14::model::refinement::{Refinement, is_repeated};
+use ancf14::model::refinement::{Outcome as RefinementOutcome, Refinement, is_repeated};
 use ancf14::model::rows;
 use ancf14::model::simulation::Halt;
 use ancf14::{Error, Kind, Simulation, VariableId};
@@ -29,8 +29,14 @@ const GRACE: Duration = Duration::from_millis(100);
 const STACK: usize = 8 << 20;
 
 /// What a run leaves: times, s; the values of all outputs, row by row (doubles in the order of bytes of the machine);
-/// warnings; the exception that ended it; the page; the ranges along beams.
-pub type Outcome = (Py<PyBytes>, Py<PyBytes>, Vec<String>, Option<Py<PyAny>>, Option<String>, Vec<FoundRange>);
+/// warnings; the exception that ended it; the page; the ranges along beams; what repetitions have found.
+pub type Outcome =
+    (Py<PyBytes>, Py<PyBytes>, Vec<String>, Option<Py<PyAny>>, Option<String>, Vec<FoundRange>, Option<FoundSettings>);
+
+/// What repetitions have found: overrides for a run like the last one; the runs in a line; the warning where the
+/// accuracy is not reached; the text of the file without copies and includes with these numbers, or the reason why there
+/// is none.
+type FoundSettings = (Vec<(String, String)>, String, Option<String>, Option<String>, String);
 
 /// A range along a beam: its name, unit and meaning, how many components it has, the arc lengths of its stations, m,
 /// and of each component at each station minimum, time, maximum, time, mean.
@@ -45,8 +51,8 @@ struct Rows {
     ranges: Ranges,
 }
 
-/// How the other thread ended: with the page, or with an error and the line it names.
-type End = (Result<(), (Error, Option<(String, usize)>)>, Option<String>);
+/// How the other thread ended: with the page and what it found, or with an error and the line it names.
+type End = (Result<(), (Error, Option<(String, usize)>)>, Option<String>, Option<FoundSettings>);
 
 /// Runs a simulation, and repeats it with finer steps and meshes if asked to `refine`, or if nothing is said where the
 /// file leaves the elements of a beam to the program; an interruption halts its comparison run.
@@ -75,6 +81,7 @@ pub fn run(
         let driven = (&*driven, &*inputs);
         let outcome = advance(&mut simulation, &own_rows, &own_over, driven, film.as_mut(), last, refinement.as_mut());
         let mut warnings = simulation.take_warnings();
+        let mut settings = None;
         if let Some(refinement) = refinement.as_mut().filter(|_| outcome.is_ok()) {
             while !own_over.load(Ordering::Relaxed)
                 && let Some(mut next) = simulation.repeated(refinement)
@@ -95,26 +102,28 @@ pub fn run(
                     Err(error) => refinement.fail(error.to_string()),
                 }
             }
-            warnings.extend(simulation.outcome(refinement).warning());
+            let outcome = simulation.outcome(refinement);
+            settings = Some(settings_of(&simulation, refinement, &outcome));
+            warnings.extend(outcome.warning());
         }
         locked(&own_rows).warnings.extend(warnings);
         let outcome =
             outcome.map_err(|error| (place(&simulation, &error), error)).map_err(|(place, error)| (error, place));
         let page = film.and_then(|film| film.page(None).ok());
         // Nobody waits any more after an interruption.
-        let _ = send.send((outcome, page));
+        let _ = send.send((outcome, page, settings));
     };
     let builder = thread::Builder::new().name("ancf14 run".to_owned()).stack_size(STACK);
     builder.spawn(work).map_err(|reason| PyRuntimeError::new_err(format!("cannot start a thread: {reason}")))?;
-    let (error, page) = loop {
+    let (error, page, settings) = loop {
         let (ended, back) = wait(py, receive, LOOK);
         receive = back;
         match ended {
-            Ok((Ok(()), page)) => break (None, page),
-            Ok((Err((error, place)), page)) => break (Some(raised(&error, place)), page),
+            Ok((Ok(()), page, settings)) => break (None, page, settings),
+            Ok((Err((error, place)), page, _)) => break (Some(raised(&error, place)), page, None),
             Err(RecvTimeoutError::Disconnected) => {
                 let fault = "internal fault, please report it: the thread of the run has panicked";
-                break (Some(Refusal::new_err(("run", fault, None::<usize>))), None);
+                break (Some(Refusal::new_err(("run", fault, None::<usize>))), None, None);
             }
             Err(RecvTimeoutError::Timeout) => {}
         }
@@ -123,7 +132,7 @@ pub fn run(
             // The thread of the run may wait for it.
             halt.set();
             let (_, _) = wait(py, receive, GRACE);
-            break (Some(interruption), None);
+            break (Some(interruption), None, None);
         }
     };
     let mut rows = locked(&rows);
@@ -133,7 +142,17 @@ pub fn run(
     };
     let error = error.map(|error| error.into_value(py).into_any());
     let ranges = found(&rows.ranges);
-    Ok((bytes(&rows.times), bytes(&rows.values), std::mem::take(&mut rows.warnings), error, page, ranges))
+    Ok((bytes(&rows.times), bytes(&rows.values), std::mem::take(&mut rows.warnings), error, page, ranges, settings))
+}
+
+/// What the file must say for a run like `simulation`, the last one that counts.
+fn settings_of(simulation: &Simulation, refinement: &Refinement, outcome: &RefinementOutcome) -> FoundSettings {
+    let found = simulation.found(refinement);
+    let (text, reason) = match found.written_flat(simulation.model().document()) {
+        Ok(text) => (Some(text), String::new()),
+        Err(reason) => (None, reason),
+    };
+    (found.overrides(), outcome.line(), outcome.shortfall(), text, reason)
 }
 
 /// The ranges in plain types.

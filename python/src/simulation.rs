@@ -10,6 +10,7 @@ use ancf14::fmi::{Model, Value};
 use ancf14::model::campbell::Sweep;
 use ancf14::model::entries::simulation::{Analysis, Initial};
 use ancf14::model::reduced::{Method, Size};
+use ancf14::model::refinement::{is_repeated, leaves_mesh};
 use ancf14::model::rows;
 use ancf14::model::simulation::Halt;
 use ancf14::model::steady::Spin;
@@ -227,6 +228,16 @@ impl Simulation {
         let fmu = || models::fmu(model, Some(&system.small(model)?), library, fmi);
         let bytes = py.detach(fmu).map_err(PyRuntimeError::new_err)?;
         Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Whether the file leaves the steps or the elements of a beam to the program, so that a run is repeated.
+    fn is_repeated(&self) -> PyResult<bool> {
+        Ok(is_repeated(self.get()?.model().document()))
+    }
+
+    /// Whether the file leaves the elements of a beam to the program.
+    fn leaves_mesh(&self) -> PyResult<bool> {
+        Ok(leaves_mesh(self.get()?.model().document()))
     }
 
     /// Warns of the errors of these results only.

@@ -16,6 +16,38 @@ from conftest import MODELS, ROOT, program
 from test_runs import PUSHED
 
 CANTILEVER = MODELS / "cantilever.toml"
+ROD = """
+format = 1
+[model]
+name = "Rod"
+[material.steel]
+young = 2.1e11
+poisson = 0.3
+density = 7850
+[section.rod]
+shape = "circle"
+radius = 0.01
+[beam.arm] # the rod
+material = "steel"
+section = "rod"
+from = [0, 0, 0]
+to = [1, 0, 0] # m
+[joint.root]
+type = "weld"
+a = "ground"
+b = "arm.start"
+[load.push]
+at = "arm.end"
+force = [0, 0, "3e5*t"]
+[output.tip]
+at = "arm.end"
+quantities = ["displacement"]
+[simulation]
+analysis = "static"
+stop = 1
+step = 0.25
+"""
+"""A rod that a force bends to a hook: 8 elements are not enough."""
 
 
 def test_variables_have_values_units_and_bounds() -> None:
@@ -89,6 +121,35 @@ def test_results_become_tables_plots_and_a_page() -> None:
     assert len(results.plot("tip.displacement").lines) == 3
     page = results.view("page.html")
     assert Path(page).read_text() == page.html and page.html.startswith("<!") and "Pushed" in page.html
+
+
+def test_a_page_shows_the_run_that_has_the_results() -> None:
+    """A run that was repeated with finer steps and meshes: the page has its elements, as that of the command line."""
+    Path("rod.toml").write_text(ROD)
+    done = program(Path.cwd(), "run", "rod.toml", "-o", "out", "--view")
+    assert done.returncode == 0, done.stderr
+    results = ancf14.Model("rod.toml").run()
+    assert results.accuracy.startswith("2 runs, 16 elements")
+    assert results.view("page.html").html == Path("out/view.html").read_text()
+
+
+def test_units_have_the_elements_that_were_found() -> None:
+    Path("rod.toml").write_text(ROD)
+    model = ancf14.Model("rod.toml")
+    packed = program(Path.cwd(), "pack", "rod.toml", "-o", "packed.fmu")
+    assert packed.returncode == 0 and "elements = 16" in packed.stdout, packed
+    assert model.pack("own.fmu").read_bytes() == Path("packed.fmu").read_bytes()
+    packed = program(Path.cwd(), "pack", "rod.toml", "-o", "first.fmu", "--no-refine")
+    assert packed.returncode == 0, packed
+    first = model.pack("own.fmu", refine=False).read_bytes()
+    assert first == Path("first.fmu").read_bytes() != Path("packed.fmu").read_bytes()
+    # Numbers that only a host asks for are found with its inputs.
+    pushed = ancf14.Model.from_string(ROD.replace('[0, 0, "3e5*t"]', "[0, 0, 0]\ninput = true"))
+    pushed.pack("own.fmu", inputs={"push.force[3]": lambda time: 4e5 * time})
+    with zipfile.ZipFile("own.fmu") as unit:
+        assert "elements = 16" in unit.read("resources/model.toml").decode()
+    with pytest.raises(ancf14.CallError, match="leave out inputs"):
+        ancf14.Model(CANTILEVER).pack("own.fmu", inputs={})
 
 
 def test_notebooks_show_the_page(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -83,6 +83,72 @@ def test_warnings_are_about_what_a_study_keeps_and_come_by_kind() -> None:
     assert (other["warning"] == "").all() and "warnings" not in other.attrs
 
 
+def rod(simulation: str) -> ancf14.Model:
+    """A rod that falls, whose elements are left to the program."""
+    return ancf14.Model.from_string(f"""
+format = 1
+model = {{ name = "Rod", gravity = [0, 0, -9.81] }}
+material.steel = {{ young = 2.1e11, poisson = 0.3, density = 7850 }}
+section.round = {{ shape = "circle", radius = 0.002 }}
+beam.arm = {{ material = "steel", section = "round", from = [0, 0, 0], to = [1, 0, 0] }}
+joint.root = {{ type = "weld", a = "ground", b = "arm.start" }}
+output.tip = {{ at = "arm.end", quantities = ["displacement", "velocity"] }}
+simulation = {{ stop = 0.4, output_step = 1e-2{simulation} }}
+""")
+
+
+RADII = {"round.radius": [0.0018, 0.002, 0.0022]}
+
+
+def test_steps_and_meshes_are_those_of_the_middle_point(tmp_path: Path) -> None:
+    model = rod("")
+    own = model.run({"round.radius": 0.002})
+    assert own.settings and "runs, " in own.accuracy
+    study = model.sweep(RADII, ["tip.velocity"], store=tmp_path / "store")
+    assert study.attrs["settings"] == ", ".join(f"{key} = {value}" for key, value in own.settings.items())
+    assert study.attrs["accuracy"] == own.accuracy
+    # Each point is one run with these numbers.
+    for radius in RADII["round.radius"]:
+        point = model.run({**own.settings, "round.radius": radius}, refine=False)
+        assert point.settings == {} and point.accuracy == ""
+        assert study["tip.velocity"].sel({"round.radius": radius}).values.tobytes() == point["tip.velocity"].tobytes()
+    # A store knows them: nothing is found again.
+    again = model.sweep(RADII, ["tip.velocity"], store=tmp_path / "store")
+    assert again.equals(study) and again.attrs == study.attrs
+    coarse = model.sweep(RADII, ["tip.velocity"], refine=False)
+    assert "settings" not in coarse.attrs and not coarse.equals(study)
+    with pytest.raises(ancf14.CallError, match="another study"):
+        model.sweep(RADII, ["tip.velocity"], refine=False, store=tmp_path / "store")
+
+
+def test_each_point_may_have_its_own_steps_and_mesh() -> None:
+    model = rod("")
+    study = model.sweep(RADII, ["tip.velocity"], refine="each")
+    for radius in RADII["round.radius"]:
+        point = model.run({"round.radius": radius})
+        assert study["tip.velocity"].sel({"round.radius": radius}).values.tobytes() == point["tip.velocity"].tobytes()
+
+
+def test_only_results_that_are_kept_decide_about_the_settings() -> None:
+    # The displacement is accurate at once, the velocity is not.
+    kept = rod("").sweep(RADII, ["tip.displacement[3]:min"])
+    assert kept.attrs["accuracy"].startswith("1 run, ")
+    assert rod("").sweep(RADII, ["tip.velocity[3]:min"]).attrs["accuracy"].startswith("2 runs, ")
+
+
+def test_settings_that_are_not_fine_enough_are_told() -> None:
+    with pytest.warns(ancf14.SolverWarning, match="the settings of the study, found at its middle point, are not fine enough: tip.velocity is off by"):
+        rod(", accuracy = 3e-2").sweep(RADII, ["tip.velocity"], budget=1e-3)
+
+
+def test_numbers_of_a_point_come_before_those_that_are_found() -> None:
+    study = rod("").sweep({"arm.elements": [3, 4, 5]}, ["tip.velocity"])
+    assert "settings" not in study.attrs and study.attrs["accuracy"].startswith("1 run, accuracy of the steps reached: ")
+    fine = rod("").sweep({"simulation.accuracy": [1e-3, 1e-4]}, ["tip.velocity"])
+    assert "arm.elements" in fine.attrs["settings"]
+    assert not np.array_equal(fine["tip.velocity"][0], fine["tip.velocity"][1])
+
+
 def test_samples_keep_their_order() -> None:
     model = swing()
     samples = [{"length": 1.2, "mass": 1}, {"length": 0.8, "mass": 3}, {"length": 1.2, "mass": 1}]

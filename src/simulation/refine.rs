@@ -1,7 +1,7 @@
 //! Runs that are repeated with finer steps and meshes until they are accurate.
 
 use super::Simulation;
-use crate::model::refinement::{Outcome, Refinement};
+use crate::model::refinement::{Found, Outcome, Refinement};
 
 impl Simulation {
     /// Prepares the simulation, before [`Self::initialize`], to be repeated with finer steps and meshes until its
@@ -22,6 +22,11 @@ impl Simulation {
     pub fn repeated(&self, refinement: &mut Refinement) -> Option<Self> {
         let next = refinement.judge(self.model())?;
         Some(Self::of(*next, Vec::new()))
+    }
+
+    /// The numbers that the file must say for a run like this one, the last one that counts.
+    pub fn found(&self, refinement: &Refinement) -> Found {
+        refinement.found(self.model())
     }
 
     /// Sums up the runs so far.

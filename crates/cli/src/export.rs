@@ -2,7 +2,7 @@
 
 use super::output::{self, Input};
 use super::picture::undrawn;
-use super::{MODEL_FILE, Stop, complain, load, name, page, say, tune};
+use super::{INPUTS, MODEL_FILE, Stop, complain, load, name, page, say, tune};
 use ancf14::fmi::lifecycle::Standard;
 use ancf14::fmi::{Model, header};
 use ancf14::model::drawing::Drawing;
@@ -90,13 +90,22 @@ impl Look {
     }
 }
 
+/// How meshes that the file leaves to the program are found.
+#[derive(Clone, Copy, Debug)]
+pub struct Meshes<'a> {
+    /// They stay as they begin.
+    pub no_refine: bool,
+    /// A table of inputs for the runs that find them; none: inputs keep their start values.
+    pub inputs: Option<&'a Path>,
+}
+
 /// Packs the model `file` as an FMU of a version of the standard, with the libraries that are given or lie beside that
 /// of this platform. Meshes that are left to the program are found first, unless they are to stay as they begin.
 pub fn pack(
     standard: Standard,
     (file, reach): (&Path, Reach),
     output: &Path,
-    no_refine: bool,
+    meshes: Meshes<'_>,
     libraries: Libraries<'_>,
 ) -> Result<(), Stop> {
     if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("fmu")) {
@@ -106,9 +115,12 @@ pub fn pack(
     let (mut simulation, mut text) = load(file, &[], reach)?;
     let packed = gather(standard, libraries)?;
     let read = packed.iter().map(|(_, path)| ("a library to pack", path.as_path()));
-    let inputs: Vec<Input<'_>> = read.chain([(MODEL_FILE, file)]).collect();
-    output::spare(&inputs, &[output.to_owned()])?;
-    if !no_refine && let Some(found) = found(&simulation, (file, reach))? {
+    let read: Vec<Input<'_>> =
+        read.chain([(MODEL_FILE, file)]).chain(meshes.inputs.map(|path| (INPUTS, path))).collect();
+    output::spare(&read, &[output.to_owned()])?;
+    if !meshes.no_refine
+        && let Some(found) = found(&simulation, (file, reach), meshes.inputs)?
+    {
         (simulation, text) = found;
     }
     let look = Look::of(&simulation)?;
@@ -139,13 +151,25 @@ pub fn pack(
     say(&format!("{} packed for {}", output.display(), packed.join(", ")))
 }
 
-/// The model at `file` with the elements and steps that its own loads and drives ask for, and its text; none: the file
-/// gives all elements, or the runs fail, so that the meshes stay as they begin.
-fn found(model: &Simulation, (file, reach): (&Path, Reach)) -> Result<Option<(Simulation, String)>, Stop> {
+/// The model at `file` with the elements and steps that its loads, its drives and the `inputs` of a table ask for, and
+/// its text; none: the file gives all elements, or the runs fail, so that the meshes stay as they begin.
+fn found(
+    model: &Simulation,
+    (file, reach): (&Path, Reach),
+    inputs: Option<&Path>,
+) -> Result<Option<(Simulation, String)>, Stop> {
     if !leaves_mesh(model.document()) {
+        if let Some(path) = inputs {
+            let message = "warning: the model file gives the elements of all beams, so that";
+            complain(&format!("{message} the inputs of {} find nothing; leave out --inputs", path.display()));
+        }
         return Ok(None);
     }
-    let search = tune::search(load(file, &[], reach)?.0, None);
+    let search = match tune::search(load(file, &[], reach)?.0, inputs, None) {
+        // Mistakes of the table.
+        Err(stop @ (Stop::Mistaken(_) | Stop::Bad(_))) => return Err(stop),
+        search => search,
+    };
     let written = search.map_err(|stop| stop.reason()).and_then(|search| {
         let search = search.ok_or_else(|| String::from("the model begins with a state, or has too many results"))?;
         let text = search.found.written_flat(model.document())?;
@@ -163,13 +187,21 @@ fn found(model: &Simulation, (file, reach): (&Path, Reach)) -> Result<Option<(Si
     let loaded = Simulation::load_in(folder, &name(file), &text, &[]);
     let simulation = loaded.map_err(|failure| Stop::Failed(failure.message))?;
     let settings = search.found.settings().join(", ");
-    say(&format!("found with the model's own loads and drives: {settings} ({})", search.outcome.line()))?;
+    let with = inputs.map_or(String::from("the model's own loads and drives"), |path| path.display().to_string());
+    say(&format!("found with {with}: {settings} ({})", search.outcome.line()))?;
     Ok(Some((simulation, text)))
 }
 
 /// Writes the C header of the model `file`.
-pub fn header((file, reach): (&Path, Reach), output: &Path, no_refine: bool, prefix: Option<&str>) -> Result<(), Stop> {
-    output::spare(&[(MODEL_FILE, file)], &[output.to_owned()])?;
+pub fn header(
+    (file, reach): (&Path, Reach),
+    output: &Path,
+    meshes: Meshes<'_>,
+    prefix: Option<&str>,
+) -> Result<(), Stop> {
+    let read: Vec<Input<'_>> =
+        meshes.inputs.map(|path| (INPUTS, path)).into_iter().chain([(MODEL_FILE, file)]).collect();
+    output::spare(&read, &[output.to_owned()])?;
     if output.extension().is_some_and(|ending| ending == "toml") {
         let shown = output.display();
         return Err(Stop::Bad(format!(
@@ -178,7 +210,9 @@ pub fn header((file, reach): (&Path, Reach), output: &Path, no_refine: bool, pre
     }
     let (mut simulation, _) = load(file, &[], reach)?;
     // A unit of this model has these numbers too, and its GUID with them.
-    if !no_refine && let Some((found, _)) = found(&simulation, (file, reach))? {
+    if !meshes.no_refine
+        && let Some((found, _)) = found(&simulation, (file, reach), meshes.inputs)?
+    {
         simulation = found;
     }
     let about = simulation.about();

@@ -141,6 +141,9 @@ enum Command {
         file: PathBuf,
         #[command(flatten)]
         files: FileArguments,
+        /// Run with the inputs of a table, as `run` does [default: inputs keep their start values]
+        #[arg(long, value_name = "FILE.csv")]
+        inputs: Option<PathBuf>,
         /// The copy [default: MODEL.tuned.toml, beside the model file]
         #[arg(short, long, value_name = "OUT.toml")]
         output: Option<PathBuf>,
@@ -268,6 +271,9 @@ enum Command {
         /// its results are accurate
         #[arg(long)]
         no_refine: bool,
+        /// Find them with the inputs of a table, as `run` reads it [default: inputs keep their start values]
+        #[arg(long, value_name = "FILE.csv", conflicts_with = "no_refine")]
+        inputs: Option<PathBuf>,
         /// Pack this library for another platform: --binary win64=ancf14.dll
         #[arg(long = "binary", value_name = "PLATFORM=PATH", value_parser = export::platform_and_path)]
         binaries: Vec<(Platform, PathBuf)>,
@@ -288,6 +294,9 @@ enum Command {
         /// As of `pack`
         #[arg(long)]
         no_refine: bool,
+        /// As of `pack`
+        #[arg(long, value_name = "FILE.csv", conflicts_with = "no_refine")]
+        inputs: Option<PathBuf>,
     },
     /// Simulate a flexible double pendulum into ./ancf14-demo-results
     Demo,
@@ -396,7 +405,9 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             };
             run::run(simulation, &directory, order)
         }
-        Command::Tune { file, files, output, budget } => tune::tune((&file, files.reach()), output, budget),
+        Command::Tune { file, files, inputs, output, budget } => {
+            tune::tune((&file, files.reach()), inputs.as_deref(), output, budget)
+        }
         Command::Check { model, resolved: true, .. } => {
             let (simulation, text) = model.load()?;
             check::resolved(&text, &simulation.document().remaining(&model.overrides))
@@ -424,12 +435,14 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (simulation, _) = model.load()?;
             vtk::export(simulation, &vtk, every, &[model.input()])
         }
-        Command::Pack { file, files, output, fmi, library, no_refine, binaries } => {
+        Command::Pack { file, files, output, fmi, library, no_refine, inputs, binaries } => {
             let libraries = export::Libraries { own: library.as_deref(), others: binaries, program };
-            export::pack(fmi, (&file, files.reach()), &output, no_refine, libraries)
+            let meshes = export::Meshes { no_refine, inputs: inputs.as_deref() };
+            export::pack(fmi, (&file, files.reach()), &output, meshes, libraries)
         }
-        Command::Header { file, files, output, prefix, no_refine } => {
-            export::header((&file, files.reach()), &output, no_refine, prefix.as_deref())
+        Command::Header { file, files, output, prefix, no_refine, inputs } => {
+            let meshes = export::Meshes { no_refine, inputs: inputs.as_deref() };
+            export::header((&file, files.reach()), &output, meshes, prefix.as_deref())
         }
         Command::Demo => demo::demo(),
         Command::Completions { shell } => shell::completions(shell),

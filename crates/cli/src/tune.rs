@@ -1,9 +1,10 @@
 //! `tune`: runs a model until its results are accurate, and writes the numbers that it took into a copy of the file.
 
+use super::inputs::Inputs;
 use super::loading::failed;
-use super::output;
+use super::output::{self, Input};
 use super::progress::{self, bar};
-use super::{MODEL_FILE, Stop, background, complain, is_piped, load, name, say};
+use super::{INPUTS, MODEL_FILE, Stop, background, complain, is_piped, load, name, say};
 use ancf14::fmi::{Failure, Model};
 use ancf14::model::file::{self, Folder, Reach};
 use ancf14::model::refinement::{Found, Outcome, Refinement};
@@ -28,17 +29,20 @@ pub struct Search {
     pub outcome: Outcome,
 }
 
-/// Repeats `simulation` until its results are accurate; none: its file leaves nothing to the program.
+/// Repeats `simulation`, with the `inputs` of a table if there is one, until its results are accurate; none: its file
+/// leaves nothing to the program.
 ///
 /// # Errors
-/// The first run failed.
-pub fn search(mut simulation: Simulation, budget: Option<f64>) -> Result<Option<Search>, Stop> {
+/// The table has mistakes, or the first run failed.
+pub fn search(mut simulation: Simulation, inputs: Option<&Path>, budget: Option<f64>) -> Result<Option<Search>, Stop> {
+    let inputs = inputs.map(|path| Inputs::read(path, &mut simulation)).transpose()?;
+    let inputs = inputs.as_ref();
     simulation.ask_for_mesh_error(background::start);
     let Some(mut refinement) = Refinement::of(&mut simulation, budget) else { return Ok(None) };
     let mut last = Box::new(simulation);
-    let mut rows = run(&mut last, |simulation| refinement.look(simulation))?;
+    let mut rows = run(&mut last, inputs, |simulation| refinement.look(simulation))?;
     while let Some(mut next) = refinement.judge(&last) {
-        match run(&mut next, |simulation| refinement.look(simulation)) {
+        match run(&mut next, inputs, |simulation| refinement.look(simulation)) {
             Ok(found) => (last, rows) = (next, found),
             Err(stop) => refinement.fail(stop.reason()),
         }
@@ -48,13 +52,25 @@ pub fn search(mut simulation: Simulation, budget: Option<f64>) -> Result<Option<
 }
 
 /// Runs to the end, and shows all rows to `look`; returns them.
-fn run(simulation: &mut Simulation, mut look: impl FnMut(&Simulation)) -> Result<Vec<Vec<f64>>, Stop> {
+fn run(
+    simulation: &mut Simulation,
+    inputs: Option<&Inputs>,
+    mut look: impl FnMut(&Simulation),
+) -> Result<Vec<Vec<f64>>, Stop> {
     let last = progress::last_row(simulation)?;
+    let begin = rows::time(simulation.about(), 0, last);
+    if let Some(inputs) = inputs {
+        inputs.start(simulation, begin).map_err(|failure| failed(simulation, &failure))?;
+    }
     let bar = bar(last);
     let mut found = Vec::new();
     let outcome = (0..=last).try_for_each(|row| {
         let time = rows::time(simulation.about(), row, last);
-        let advanced = if row == 0 { simulation.initialize(time) } else { simulation.advance(time) };
+        let advanced = match inputs {
+            _ if row == 0 => simulation.initialize(time),
+            Some(inputs) => inputs.advance(simulation, time),
+            None => simulation.advance(time),
+        };
         advanced.map_err(|failure| failed(simulation, &failure))?;
         look(simulation);
         found.push(simulation.results().to_vec());
@@ -69,17 +85,24 @@ fn run(simulation: &mut Simulation, mut look: impl FnMut(&Simulation)) -> Result
     Ok(found)
 }
 
-/// Writes the numbers that the model file at `path` takes into a copy of it at `output`, and runs that once.
-pub fn tune((path, reach): (&Path, Reach), output: Option<PathBuf>, budget: Option<f64>) -> Result<(), Stop> {
+/// Writes the numbers that the model file at `path` takes, with the `inputs` of a table if there is one, into a copy of
+/// it at `output`, and runs that once.
+pub fn tune(
+    (path, reach): (&Path, Reach),
+    inputs: Option<&Path>,
+    output: Option<PathBuf>,
+    budget: Option<f64>,
+) -> Result<(), Stop> {
     if is_piped(path) {
         return Err(Stop::Bad("error: tune writes a copy of a file: give the file, not a pipe".to_owned()));
     }
     let output = output.unwrap_or_else(|| path.with_extension(ENDING));
-    output::spare(&[(MODEL_FILE, path)], std::slice::from_ref(&output))?;
+    let read: Vec<Input<'_>> = inputs.map(|path| (INPUTS, path)).into_iter().chain([(MODEL_FILE, path)]).collect();
+    output::spare(&read, std::slice::from_ref(&output))?;
     output::try_out(&output)?;
     let (simulation, _) = load(path, &[], reach)?;
     let text = file::text(path).map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
-    let Some(search) = search(simulation, budget)? else {
+    let Some(search) = search(simulation, inputs, budget)? else {
         let message = "error: tune has nothing to find: the model file gives its steps and its elements, or begins with \
                        a state";
         return Err(Stop::Bad(message.to_owned()));
@@ -92,16 +115,22 @@ pub fn tune((path, reach): (&Path, Reach), output: Option<PathBuf>, budget: Opti
     let settings = search.found.settings();
     let settings = if settings.is_empty() { "as it was".to_owned() } else { settings.join(", ") };
     say(&format!("{}: {settings}", output.display()))?;
-    tell_difference(&search, &output, &written, reach)
+    tell_difference(&search, (&output, inputs), &written, reach)
 }
 
 /// Runs the text that was written to `output`, and tells how far it is from the finest run.
-fn tell_difference(search: &Search, output: &Path, text: &str, reach: Reach) -> Result<(), Stop> {
+fn tell_difference(
+    search: &Search,
+    (output, inputs): (&Path, Option<&Path>),
+    text: &str,
+    reach: Reach,
+) -> Result<(), Stop> {
     let folder = output.parent().map(|path| Folder::new(path, reach));
     let loaded = Simulation::load_in(folder, &name(output), text, &[]);
     let mut simulation = loaded.map_err(|Failure { message, .. }| Stop::Failed(message))?;
+    let inputs = inputs.map(|path| Inputs::read(path, &mut simulation)).transpose()?;
     let (mut differences, mut row) = (Differences::default(), 0);
-    run(&mut simulation, |own| {
+    run(&mut simulation, inputs.as_ref(), |own| {
         search.rows.get(row).into_iter().for_each(|other| own.compare(other, &mut differences));
         row += 1;
     })?;

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -165,11 +165,11 @@ class Model:
         rows so far. A step that cannot be computed raises RunError, also with ``results``. Warnings of the solver are issued as
         SolverWarning, among them those about errors of the steps and of the mesh that are larger than a reader expects. For the
         mesh error of a motion the model runs once more on a second thread, with half the elements: ``mesh_error=False`` leaves that
-        out, as studies do.
+        out.
 
         Where the model file leaves the steps or the elements of a beam to the program, and the results are not accurate to 0.5 % of their range, the
         model runs again with finer steps and meshes, as by ``ancf14 run``: ``budget`` is what these runs may cost together, over the cost of
-        the first one (by default 20, and some seconds in any case). ``refine=True`` also does so where the file has an ``accuracy``; ``refine=False`` runs once, as studies do.
+        the first one (by default 20, and some seconds in any case). ``refine=True`` also does so where the file has an ``accuracy``; ``refine=False`` runs once. ``Results.settings`` has the numbers that were found.
         """
         told: list[str] = []
         try:
@@ -209,12 +209,16 @@ class Model:
         with raising():
             times = simulation.times() if inputs else []
         names, values = self._table(inputs or {}, times)
-        rerun = (self._source, list(dict([*self._overrides, *changes]).items()), names, values)
+        overrides = list(dict([*self._overrides, *changes]).items())
         with raising():
             variables = simulation.variables()
-            found, table, warnings, error, _, ranges = simulation.run(names, values, refinement=(refine, budget))
-        results = Results._of(self.name, variables, found, table, rerun)
+            times_found, table, warnings, error, _, ranges, found = simulation.run(names, values, refinement=(refine, budget))
+        rerun = (self._source, overrides, names, values, mesh_error, (False, None) if found is None else (refine, budget))
+        results = Results._of(self.name, variables, times_found, table, rerun)
         results.ranges = {row[0]: Range._of(row) for row in ranges}
+        if found is not None:
+            results.settings, results.accuracy = dict(found[0]), found[1]
+            results._found = found
         # Those about the file were issued when it was loaded.
         told += [warning for warning in warnings if warning not in self._notes]
         if error is None:
@@ -266,6 +270,8 @@ class Model:
         executor: Executor | None = None,
         store: str | os.PathLike[str] | None = None,
         progress: Progress = False,
+        refine: bool | Literal["each"] | None = None,
+        budget: float | None = None,
     ) -> Any:
         """Run the model for many parameters, and return an xarray.Dataset.
 
@@ -283,11 +289,23 @@ class Model:
         ModelError is raised. ``store`` names a folder, a Zarr group: what is in it is not computed again, so that a study goes on where it ended.
         ``progress`` is True for a bar (needs tqdm), or a function of the numbers of known and of all points.
 
+        Where the model file leaves the steps or the elements of a beam to the program, the point in the middle runs again with finer steps and meshes until
+        the results that are kept are accurate, as in ``run``. All points then run once with its numbers, which are in ``attrs["settings"]``: one
+        discretization makes smooth responses. ``refine="each"`` finds them for each point, ``refine=True`` also where the file has an ``accuracy``, and
+        ``refine=False`` runs all points as the file begins. ``budget`` bounds the cost of the search, as in ``run``.
+
         ``stop``, ``output_step`` and ``inputs`` are those of ``run``, for all points. Ctrl-C raises Interrupted, whose ``results`` has the points so far.
         Needs xarray, and zarr for a store.
         """
         return sweep(
-            self, space, outputs, stop=stop, output_step=output_step, inputs=inputs, executor=executor, store=store, progress=progress
+            self,
+            space,
+            outputs,
+            {"stop": stop, "output_step": output_step, "inputs": inputs},
+            (refine, budget),
+            executor=executor,
+            store=store,
+            progress=progress,
         )
 
     def instance(self, parameters: Parameters | None = None) -> Instance:
@@ -378,10 +396,13 @@ class Model:
             Path(path).write_text(picture.svg, encoding="utf-8")
         return picture
 
-    def pack(self, path: str | os.PathLike[str], *, fmi: int = 2) -> Path:
+    def pack(self, path: str | os.PathLike[str], *, fmi: int = 2, refine: bool = True, inputs: Inputs | None = None) -> Path:
         """Pack the model as an FMU for co-simulation, write it to ``path`` and return the path.
 
         ``fmi`` is the version of the standard: 2 for FMI 2.0, 3 for FMI 3.0.
+
+        Where the model file leaves the elements of a beam to the program, the model runs first, with ``inputs`` as in ``run``, and the FMU gets the elements
+        and steps with which its results are accurate; ``refine=False`` keeps the first automatic meshes.
 
         Raises CallError if the model was loaded with changed parameters: an FMU has the model file itself.
         """
@@ -393,8 +414,34 @@ class Model:
         if fmi not in (2, 3):
             raise CallError(f"fmi is 2 or 3, not {fmi}")
         library = Path(__file__).with_name("libancf14.so")
-        path.write_bytes(self._open().pack(str(library), fmi))
+        simulation = self._open()
+        searches = refine and simulation.leaves_mesh()
+        if inputs is not None and not searches:
+            raise CallError("inputs are for finding the elements of beams, and here these are given; leave out inputs")
+        source = self._tuned(inputs) if searches else None
+        if source is not None:
+            with raising():
+                simulation = source.load([])
+        path.write_bytes(simulation.pack(str(library), fmi))
         return path
+
+    def _tuned(self, inputs: Inputs | None) -> Source | None:
+        """Return the model with the elements and steps with which its results are accurate; None, with a warning: they cannot be found."""
+        told: list[str] = []
+        try:
+            results = self._run(None, stop=None, output_step=None, inputs=inputs, told=told, mesh_error=True, refine=None)
+        except RunError as reason:
+            warn([f"the FMU keeps its first automatic meshes: {reason}"])
+            return None
+        if results._found is None:
+            warn(["the FMU keeps its first automatic meshes: the model begins with a state, or has too many results"])
+            return None
+        *_, warning, text, reason_text = results._found
+        if text is None:
+            warn([f"the FMU keeps its first automatic meshes: {reason_text}"])
+            return None
+        warn([warning] if warning else [])
+        return self._source._replace(text=text)
 
 
 def _loaded(source: Source, overrides: list[tuple[str, str]]) -> Model:

@@ -91,6 +91,11 @@ class Results(Mapping[str, Array]):
     ranges: dict[str, Range]
     """The range over time of each quantity along a beam whose output has ``summary = "range"``, by its name."""
 
+    settings: dict[str, str]
+    """The numbers with which a single run is as accurate, changes of the model file by key; empty where the run was not repeated."""
+    accuracy: str
+    """How many runs it took and the accuracy that is reached, a line; empty where the file leaves neither steps nor elements to the program."""
+
     @classmethod
     def _of(cls, name: str, variables: list[Any], times: bytes, table: bytes, rerun: tuple[Any, ...]) -> Results:
         results = cls.__new__(cls)
@@ -111,7 +116,7 @@ class Results(Mapping[str, Array]):
         for base in results._components:
             results.units[base] = results.units[next(iter(results._components.names(base).values()))]
         results._rerun = rerun
-        results.ranges = {}
+        results.ranges, results.settings, results.accuracy, results._found = {}, {}, "", None
         return results
 
     name: str
@@ -121,6 +126,8 @@ class Results(Mapping[str, Array]):
     _places: dict[str, int]
     _components: Components
     _rerun: tuple[Any, ...]
+    _found: tuple[Any, ...] | None
+    """The settings as the solver tells them: with the warning, and the text of the model file with them or the reason why there is none."""
 
     def __getitem__(self, name: str) -> Array:
         """Return a column, or an array of all components of a vector or a table."""
@@ -202,14 +209,18 @@ class Results(Mapping[str, Array]):
     def view(self, path: str | os.PathLike[str] | None = None) -> Page:
         """Write a page that shows the mechanism move, an HTML file, and return it. Notebooks show it; elsewhere it opens in a browser if no ``path`` is given.
 
-        The page is made from a second run, which has the same results.
+        The page is made from a second run, which has the same results. A run that was repeated with finer steps and meshes is repeated again.
         """
         if not len(self.time):
             raise CallError("there is nothing to view: the run has no row")
-        source, overrides, names, values = self._rerun
+        source, overrides, names, values, mesh_error, refinement = self._rerun
+        # A run that was repeated is repeated again: its last run has the results.
+        last = len(self.time) - 1 if refinement[0] is False else None
         with raising():
             simulation = source.load(overrides)
-            *_, error, page, _ = simulation.run(names, values, True, len(self.time) - 1)
+            if mesh_error:
+                simulation.ask_for_mesh_error()
+            page, error = simulation.run(names, values, True, last, refinement)[4:2:-1]
         if page is None:
             raise error or CallError("the page cannot be written")
         target = Path(path) if path is not None else Path(tempfile.mkdtemp(prefix="ancf14-")) / "view.html"

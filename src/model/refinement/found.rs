@@ -8,7 +8,7 @@ use crate::mechanics::beam::design::Elements;
 use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
 use crate::model::file::entries::simulation::{FINEST_ACCURACY, Steps};
-use crate::model::run::levels;
+use crate::model::run::levels::{self, Override};
 use crate::model::run::simulation::Simulation;
 use crate::model::text::source::Place;
 use std::collections::BTreeMap;
@@ -75,6 +75,18 @@ impl Found {
         let mesh = |mesh: &Mesh| format!("{}.elements = {}", mesh.name, mesh.elements);
         let steps = self.steps.iter().map(|(key, value)| format!("simulation.{key} = {}", short(*value)));
         self.meshes.iter().map(mesh).chain(steps).collect()
+    }
+
+    /// The settings as overrides, each a key and its value. A beam with a number of elements has linear twist unless its
+    /// file says otherwise.
+    pub fn overrides(&self) -> Vec<Override> {
+        let own = |mesh: &Mesh| {
+            let elements = (format!("{}.elements", mesh.name), mesh.elements.to_string());
+            let twist = (format!("{}.twist", mesh.name), String::from("quadratic"));
+            std::iter::once(elements).chain(mesh.is_quadratic.then_some(twist))
+        };
+        let steps = self.steps.iter().map(|(key, value)| (format!("simulation.{key}"), short(*value)));
+        self.meshes.iter().flat_map(own).chain(steps).collect()
     }
 
     /// The `text` of the file that `document` was read from, with these numbers; all else stays as it is written.

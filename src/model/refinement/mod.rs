@@ -260,6 +260,9 @@ impl Refinement {
             Inexact { error: own.error + of_mesh, ..own.clone() }
         });
         self.worst = sums.chain(mesh.iter().cloned()).max_by(|a, b| a.error.total_cmp(&b.error));
+        if simulation.is_at_rest() {
+            return 0.0;
+        }
         // Without a comparison nothing is known of the mesh, and a doubt of it is settled by another one.
         if mesh.is_empty() || simulation.doubts_mesh() {
             self.parts[1] = self.parts[1].max(UNKNOWN);

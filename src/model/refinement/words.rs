@@ -27,6 +27,14 @@ impl Outcome {
         format!("{runs} run{plural}{mesh}, {what} reached: {reached}")
     }
 
+    /// The results that did not reach the accuracy, in a sentence, of a single run too; none: all did, or nearly.
+    pub fn shortfall(&self) -> Option<String> {
+        let worst = self.worst.as_ref().filter(|worst| self.end != End::Reached && worst.excess() > WARNED)?;
+        let off =
+            || format!("{} is off by {} of its range, and the budget has no further run", worst.name, worst.size());
+        Some(self.warning().unwrap_or_else(off))
+    }
+
     /// The warning about results that did not reach the accuracy; none: they did.
     pub fn warning(&self) -> Option<String> {
         let worst = self.worst.as_ref()?;

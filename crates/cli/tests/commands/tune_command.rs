@@ -88,3 +88,36 @@ fn units_have_the_elements_that_were_found() {
     assert_eq!(own, header("t.toml", &[]));
     assert_ne!(own, header("m.toml", &["--no-refine"]));
 }
+
+/// Numbers that inputs ask for are found with a table of them: a force that bends a rod to a hook, where the start value
+/// of the input leaves it straight. A mistake of the table ends the command, and writes nothing.
+#[test]
+fn inputs_of_a_table_ask_for_elements() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path();
+    fs::write(path.join("m.toml"), ROD.replace("force = [0, 0, \"500*t\"]", "force = [0, 0, 0]\ninput = true"))
+        .unwrap();
+    fs::write(path.join("push.csv"), "time,push.force[3]\n0,0\n1,3e5\n").unwrap();
+    fs::write(path.join("bad.csv"), "time,pull.force[3]\n0,0\n1,3e5\n").unwrap();
+    fs::write(path.join("library.so"), b"\x7fELF\x02\x01 and so on\x03\x00\x3e\x00").unwrap();
+    let pack = ["pack", "m.toml", "-o", "m.fmu", "--library", "library.so"];
+    assert!(done(path, &pack).contains("arm.elements = 8 (1 run, "));
+    let told = done(path, &[&pack[..], &["--inputs", "push.csv"]].concat());
+    assert!(told.contains("found with push.csv: arm.elements = 16 (2 runs, "), "{told}");
+    let tuned = done(path, &["tune", "m.toml", "-o", "t.toml", "--inputs", "push.csv"]);
+    assert!(tuned.contains("t.toml: arm.elements = 16\n"), "{tuned}");
+    let header = |file: &str, more: &[&str]| {
+        done(path, &[&["header", file, "-o", "m.h"], more].concat());
+        fs::read_to_string(path.join("m.h")).unwrap()
+    };
+    assert_eq!(header("m.toml", &["--inputs", "push.csv"]), header("t.toml", &[]));
+    let given = ancf14(path, &["pack", "t.toml", "-o", "t.fmu", "--library", "library.so", "--inputs", "push.csv"]);
+    assert!(given.status.success() && text(&given.stderr).contains("leave out --inputs"), "{given:?}");
+    for command in [&pack[..3], &["tune", "m.toml", "-o"]] {
+        let target = if command[0] == "pack" { "x.fmu" } else { "x.toml" };
+        let refused = ancf14(path, &[command, &[target, "--inputs", "bad.csv"]].concat());
+        let told = text(&refused.stderr);
+        assert!(refused.status.code() == Some(2) && told.contains("the model has no input `pull.force[3]`"), "{told}");
+        assert!(!path.join(target).exists());
+    }
+}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 from .._errors import CallError, missing
 from .points import POINT, Points
 from .reducers import Array, Reduced
+from .settings import Found, Refinement
 from .work import Done, Recipe
 
 BYTES = 1 << 20
@@ -21,7 +23,7 @@ OPEN = -1
 """The code of a point that is not known. Others are 0, or the place of a message, from 1."""
 
 
-def fingerprint(recipe: Recipe, points: Points) -> str:
+def fingerprint(recipe: Recipe, points: Points, refinement: Refinement) -> str:
     """Return a word that two studies have in common if they are the same: model, parameters, outputs, settings."""
     digest = hashlib.sha256()
 
@@ -47,6 +49,7 @@ def fingerprint(recipe: Recipe, points: Points) -> str:
     add([points.names, [[_plain(value) for value in row] for row in points.values]])
     add([[output.name, output.column, output.how] for output in recipe.outputs])
     add(recipe.settings)
+    add(refinement)
     return digest.hexdigest()
 
 
@@ -113,6 +116,15 @@ class Store:
         values = {output.name: self._group[output.name][:] for output in self._outputs if output.name in self._group}
         times = np.array(self._group.attrs["time"]) if "time" in self._group.attrs else None
         return errors, warned, values, times
+
+    def found(self) -> Found | None:
+        """Return the steps and meshes of all points; None: they are not known."""
+        own = self._group.attrs.get("found")
+        return None if own is None else Found(own["settings"], own["accuracy"], own["warning"])
+
+    def keep(self, found: Found) -> None:
+        """Keep the steps and meshes of all points: a study that goes on has the same."""
+        self._group.attrs["found"] = asdict(found)
 
     def write(self, done: Done, times: Array | None) -> None:
         """Add the runs of a chunk. Their codes are written last: a store that lost its program in between does not know them."""

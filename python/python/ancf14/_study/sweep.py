@@ -8,17 +8,19 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
 from contextlib import ExitStack
+from dataclasses import replace
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .._errors import CallError, Error, Interrupted, RunError, missing
 from .points import Points, Space, points
 from .reducers import Outputs, reduced
+from .settings import Refinement, find
 from .table import Table
 from .work import DifferentRows, Done, Recipe, chunk
 
 if TYPE_CHECKING:
-    from .._model import Inputs, Model
+    from .._model import Model
 
 Progress: TypeAlias = "bool | Callable[[int, int], object]"
 """Whether to show a bar, or a function of the number of points that are done and of all."""
@@ -35,10 +37,9 @@ def sweep(
     model: Model,
     space: Space,
     outputs: Outputs,
+    settings: dict[str, Any],
+    refinement: Refinement,
     *,
-    stop: float | None,
-    output_step: float | None,
-    inputs: Inputs | None,
     executor: Executor | None,
     store: str | os.PathLike[str] | None,
     progress: Progress,
@@ -49,9 +50,13 @@ def sweep(
     except ImportError:
         missing("xarray", "sweep")
     wanted = points(space)
-    recipe = Recipe(model, reduced(outputs, model.outputs), {"stop": stop, "output_step": output_step, "inputs": inputs})
+    if refinement[0] not in (None, True, False, "each"):
+        raise CallError(f'refine is True, False, None or "each", not {refinement[0]!r}')
+    if refinement[0] == "each":
+        settings = {**settings, "mesh_error": True, "refine": None, "budget": refinement[1]}
+    recipe = Recipe(model, reduced(outputs, model.outputs), settings)
     _expect_one_to_load(model, wanted)
-    table = Table(model, wanted, recipe, store)
+    table = Table(model, wanted, recipe, refinement, store)
     with ExitStack() as stack:
         if executor is None:
             pool = ThreadPoolExecutor(_cores(), thread_name_prefix="ancf14 sweep")
@@ -59,6 +64,10 @@ def sweep(
         show = stack.enter_context(_Bar(progress, len(wanted)))
         show(table.count)
         try:
+            if table.found is None:
+                table.keep(find(recipe, wanted, refinement))
+            assert table.found is not None
+            recipe = replace(recipe, found=table.found.settings)
             for done in _chunks(recipe, wanted, table.missing(), executor or pool):
                 table.put(done)
                 show(table.count)

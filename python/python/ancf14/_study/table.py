@@ -11,6 +11,7 @@ from .._errors import CallError
 from .._native import __version__
 from .points import Points
 from .reducers import Array, Reduced
+from .settings import Found, Refinement
 from .store import Store, fingerprint
 from .told import grouped
 from .work import Done, Recipe, expect_same
@@ -25,17 +26,28 @@ NOT_COMPUTED = "not computed"
 class Table:
     """What is known of each point, in memory and in the store."""
 
-    def __init__(self, model: Model, points: Points, recipe: Recipe, store: str | os.PathLike[str] | None) -> None:
+    def __init__(
+        self, model: Model, points: Points, recipe: Recipe, refinement: Refinement, store: str | os.PathLike[str] | None
+    ) -> None:
         self._model, self._points, self._outputs = model, points, recipe.outputs
         self._errors: list[str | None] = [None] * len(points)
         self._warnings = [""] * len(points)
         self._values: dict[str, Array] = {}
         self._times: Array | None = None
-        self._store = Store(store, fingerprint(recipe, points), points, recipe.outputs) if store is not None else None
+        self.found: Found | None = None
+        """The steps and meshes of all points; None: they are to be found."""
+        self._store = Store(store, fingerprint(recipe, points, refinement), points, recipe.outputs) if store is not None else None
         if self._store is not None:
             self._errors, self._warnings, self._values, self._times = self._store.read()
+            self.found = self._store.found()
         self.count = sum(error is not None for error in self._errors)
         """The number of points that are known."""
+
+    def keep(self, found: Found) -> None:
+        """Take the steps and meshes of all points."""
+        self.found = found
+        if self._store is not None:
+            self._store.keep(found)
 
     def missing(self) -> list[int]:
         """Return the numbers of the points that are not known."""
@@ -95,6 +107,10 @@ class Table:
         for name, texts in (("error", errors), ("warning", self._warnings)):
             variables[name] = (points.dimensions, np.array(texts, dtype=object).reshape(points.shape))
         attributes: dict[str, Any] = {"model": self._model.name, "ancf14": __version__}
+        if self.found is not None and self.found.settings:
+            attributes["settings"] = ", ".join(f"{key} = {value}" for key, value in self.found.settings.items())
+        if self.found is not None and self.found.accuracy:
+            attributes["accuracy"] = self.found.accuracy
         if any(self._warnings):
             attributes["warnings"] = grouped(self._warnings, len(points))
         return xarray.Dataset(variables, coordinates, attributes)

@@ -24,6 +24,8 @@ class Recipe:
     outputs: list[Reduced]
     settings: dict[str, Any]
     """Keyword arguments of ``Model.run``."""
+    found: dict[str, str] = field(default_factory=dict)
+    """Steps and meshes of all points, as parameters of ``Model.run``; those of a point come before them."""
 
     def judged(self) -> list[str] | None:
         """Return the results whose errors matter: those that are kept. None: all, as a function may read any."""
@@ -76,7 +78,7 @@ class DifferentRows(CallError):
 
 def _run(recipe: Recipe, parameters: dict[str, Any], done: Done, told: list[str]) -> list[Array]:
     """Run one point; collects what the solver warns of in ``told``."""
-    results = recipe.model._run(parameters, told=told, judged=recipe.judged(), **recipe.settings)
+    results = recipe.model._run({**recipe.found, **parameters}, told=told, judged=recipe.judged(), **recipe.settings)
     values = [output.of(results) for output in recipe.outputs]
     if any(output.is_series for output in recipe.outputs):
         if done.times is None:

@@ -94,6 +94,13 @@ impl Simulation {
         [judged(self.estimated_errors()), judged(self.mesh_errors.clone())]
     }
 
+    /// Whether all judged results are zero but for round-off: finer steps and meshes change nothing.
+    pub fn is_at_rest(&self) -> bool {
+        let none = vec![0.0; self.results.len()];
+        let judged = self.accuracy.errors_of_mesh(&self.columns, &self.measures(), &none);
+        judged.iter().all(|own| !self.is_judged(own))
+    }
+
     /// Whether the run was warned of a mesh that may be too coarse.
     pub fn doubts_mesh(&self) -> bool {
         self.watch.doubts_mesh()
