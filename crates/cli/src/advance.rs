@@ -6,16 +6,21 @@ use ancf14::fmi::Model;
 use ancf14::model::rows;
 use ancf14::model::simulation::Simulation;
 
-/// Simulates from the initial state, row 0, to the end, and lets `look` see each row.
+/// Simulates from the initial state, row 0, to the end, and lets `look` see each row. Warnings are told as they come, or
+/// are `held`.
 pub fn advance(
     simulation: &mut Simulation,
     last_row: u64,
+    mut held: Option<&mut Vec<String>>,
     mut look: impl FnMut(u64, &Simulation) -> Result<(), Stop>,
 ) -> Result<(), Stop> {
     let bar = bar(last_row);
-    let warn = |simulation: &mut Simulation| {
+    let mut warn = |simulation: &mut Simulation| {
         for warning in simulation.take_warnings() {
-            bar.suspend(|| complain(&format!("warning: {warning}")));
+            match &mut held {
+                Some(held) => held.push(warning),
+                None => bar.suspend(|| complain(&format!("warning: {warning}"))),
+            }
         }
     };
     let outcome = (1..=last_row).try_for_each(|row| {

@@ -227,7 +227,10 @@ enum Command {
         /// the solver [default: ancf14.wasm next to this program, or in ../lib]
         #[arg(long, value_name = "FILE.wasm", num_args = 0..=1, require_equals = true)]
         live: Option<Option<PathBuf>>,
-        /// Serve the page on this computer instead of writing it. Whenever a file of the model is saved, simulate again
+        /// Simulate once, also where the model file leaves steps or meshes to the program; the page is there sooner
+        #[arg(long)]
+        no_refine: bool,
+        /// Serve the page on this computer instead of writing it. Whenever a file of the model is saved, simulate once
         /// and update the page; mistakes appear above the last picture. Ctrl-C ends it
         #[arg(long, conflicts_with_all = ["output", "live", "other"])]
         watch: bool,
@@ -247,6 +250,9 @@ enum Command {
         /// Write one row of results in N, and the last one [default: each row]
         #[arg(long, value_name = "N", value_parser = vtk::every)]
         every: Option<u64>,
+        /// Simulate once, also where the model file leaves steps or meshes to the program
+        #[arg(long)]
+        no_refine: bool,
     },
     /// Pack a model as an FMU for co-simulation (FMI 2.0 or 3.0)
     ///
@@ -427,12 +433,13 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
         Command::Reduce { model, wishes } => reduce::reduce(&model, &wishes, program),
         Command::Campbell { model, wishes } => campbell::campbell(&model, &wishes),
         Command::View { model, modes, watch: true, .. } => watch::watch(&model, modes.map(modes::count_or_default)),
-        Command::View { model, other, output, modes, live, .. } => {
+        Command::View { model, other, output, modes, live, no_refine, .. } => {
             let (other, modes) = (other.as_deref(), modes.map(modes::count_or_default));
-            view::view(view::Order { model: &model, other, output, modes, live, program })
+            view::view(view::Order { model: &model, other, output, modes, live, no_refine, program })
         }
-        Command::Export { model, vtk, every } => {
-            let (simulation, _) = model.load()?;
+        Command::Export { model, vtk, every, no_refine } => {
+            let load = || model.load().map(|(simulation, _)| simulation);
+            let simulation = if no_refine { load()? } else { tune::finest(load)? };
             vtk::export(simulation, &vtk, every, &[model.input()])
         }
         Command::Pack { file, files, output, fmi, library, no_refine, inputs, binaries } => {

@@ -9,11 +9,12 @@ use ancf14::model::simulation::Simulation;
 use ancf14::model::{builder, file, missed_damping, notes};
 use std::io;
 use std::path::Path;
+use std::sync::OnceLock;
 
 /// Reads a model file; gives its text too, without copies and includes.
 pub fn load(path: &Path, overrides: &[(String, String)], reach: Reach) -> Result<(Simulation, String), Stop> {
     let name = name(path);
-    let read = if is_piped(path) { file::piped(&name, io::stdin()) } else { file::text(path) };
+    let read = if is_piped(path) { piped(&name) } else { file::text(path) };
     let text = read.map_err(|reason| Stop::Bad(format!("error: {reason}")))?;
     // The parts of a model from a pipe are those of the current folder.
     let folder = path.parent().map(|path| Folder::new(path, reach));
@@ -25,6 +26,16 @@ pub fn load(path: &Path, overrides: &[(String, String)], reach: Reach) -> Result
     })?;
     let text = simulation.document().text().to_owned();
     Ok((simulation, text))
+}
+
+/// The text of the standard input. Some commands load their model twice, and a pipe is read once only.
+fn piped(name: &str) -> Result<String, String> {
+    static TEXT: OnceLock<String> = OnceLock::new();
+    if let Some(text) = TEXT.get() {
+        return Ok(text.clone());
+    }
+    let text = file::piped(name, io::stdin())?;
+    Ok(TEXT.get_or_init(|| text).clone())
 }
 
 /// Finds the initial state, with the warnings about it and about the file.

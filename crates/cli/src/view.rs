@@ -5,8 +5,11 @@ use super::advance::advance;
 use super::output::{self, Input};
 use super::progress::last_row;
 use super::run::VIEW;
-use super::{MODEL_FILE, ModelArguments, Stop, complain, failed, live, load, name, say, start, stem, unwritten};
+use super::{
+    MODEL_FILE, ModelArguments, Stop, background, complain, failed, live, load, name, say, start, stem, unwritten,
+};
 use ancf14::fmi::Model;
+use ancf14::model::refinement::{Refinement, is_repeated};
 use ancf14::model::simulation::Simulation;
 use ancf14_view::{Film, Live, Second, Shown, ended_early, html};
 use std::ffi::OsString;
@@ -28,13 +31,15 @@ pub struct Order<'a> {
     pub modes: Option<u16>,
     /// That the page has the solver, and where it is.
     pub live: Option<Option<PathBuf>>,
+    /// A single run, also where the file leaves its steps or meshes to the program.
+    pub no_refine: bool,
     /// The program next to which the solver is; none: the running program.
     pub program: Option<&'a Path>,
 }
 
 /// Simulates and writes the page.
 pub fn view(order: Order<'_>) -> Result<(), Stop> {
-    let Order { model, other, output, modes, live, program } = order;
+    let Order { model, other, output, modes, live, no_refine, program } = order;
     let source = Source::of(&model.file);
     let other = other.map(Source::of);
     let sources = || iter::once(&source).chain(&other);
@@ -61,7 +66,7 @@ pub fn view(order: Order<'_>) -> Result<(), Stop> {
             "error: a page with the solver cannot begin with a state: the model file has simulation.from_state";
         return Err(Stop::Bad(format!("{reason}; leave out --live")));
     }
-    let live = match (&opened, solver) {
+    let mut live = match (&opened, solver) {
         (Opened::Model(simulation, text), Some((_, solver))) => Some(Live {
             solver,
             file: model.name(),
@@ -71,11 +76,14 @@ pub fn view(order: Order<'_>) -> Result<(), Stop> {
         }),
         _ => None,
     };
-    let (run, mut outcome) = opened.shown(modes)?;
+    let (run, found, mut outcome) = opened.shown(modes, !no_refine)?;
+    if let (Some(live), Some(found)) = (&mut live, found) {
+        live.text = found;
+    }
     let mut compared = None;
     if let (Some(other), Some(second)) = (&other, second) {
         let names = names([&source, other], &model.overrides);
-        let (run, ended) = second.shown(None)?;
+        let (run, _, ended) = second.shown(None, !no_refine)?;
         compared = Some(Second { names, run });
         outcome = match (outcome, ended) {
             // One reason ends the program: the other one is told here.
@@ -170,14 +178,17 @@ impl<'a> Source<'a> {
     }
 }
 
+/// A run, the text of its model with the steps and meshes that were found, and how it has ended.
+type Seen = (Shown, Option<String>, Result<(), Stop>);
+
 impl Opened {
-    /// The run, simulated if it is that of a model, and how it has ended.
-    fn shown(self, modes: Option<u16>) -> Result<(Shown, Result<(), Stop>), Stop> {
+    /// The run, simulated if it is that of a model.
+    fn shown(self, modes: Option<u16>, refines: bool) -> Result<Seen, Stop> {
         match self {
-            Self::Page(run) => Ok((run, Ok(()))),
+            Self::Page(run) => Ok((run, None, Ok(()))),
             Self::Model(simulation, _) => {
-                let (film, outcome) = filmed(*simulation, modes, |_| Ok(()))?;
-                Ok((film.shown().map_err(|reason| unwritten(&reason))?, outcome))
+                let Filmed { film, outcome, found } = filmed(*simulation, modes, refines, |_| Ok(()))?;
+                Ok((film.shown().map_err(|reason| unwritten(&reason))?, found, outcome))
             }
         }
     }
@@ -203,28 +214,97 @@ fn begins_as_page(path: &Path) -> bool {
     read.is_ok() && begin == BEGIN
 }
 
-/// What there is to see of a simulation, of one that fails up to the failure. `look` is told the share of the rows that
-/// are done.
+/// What there is to see of a simulation.
+pub struct Filmed {
+    /// The last run that counts, one that fails up to the failure.
+    pub film: Film,
+    /// How it has ended.
+    pub outcome: Result<(), Stop>,
+    /// The text of the model without copies and includes, with the steps and meshes of that run; none: those of the file.
+    pub found: Option<String>,
+}
+
+/// Films a simulation, and where it `refines` what its file leaves to the program, again with finer steps and meshes
+/// until the results are accurate. `look` is told the share of the rows of a run that are done.
 pub fn filmed(
     mut simulation: Simulation,
     modes: Option<u16>,
+    refines: bool,
     mut look: impl FnMut(f64) -> Result<(), Stop>,
-) -> Result<(Film, Result<(), Stop>), Stop> {
+) -> Result<Filmed, Stop> {
     let last_row = last_row(&simulation)?;
-    let mut film = Film::new(&simulation, last_row);
+    let mut refinement = if refines && is_repeated(simulation.document()) {
+        simulation.ask_for_mesh_error(background::start);
+        Refinement::of(&mut simulation, None)
+    } else {
+        None
+    };
     start(&mut simulation)?;
-    film.look(0, &simulation);
-    if let Some(count) = modes {
-        let found = simulation.judged_modes(usize::from(count)).map_err(|failure| failed(&simulation, &failure))?;
-        found.warnings.iter().for_each(|warning| complain(&format!("warning: {warning}")));
-        film.add_modes(&simulation, &found);
+    let mut held = Vec::new();
+    let mut film = opening(&simulation, last_row, modes, &mut held)?;
+    let holds = refinement.is_some();
+    let mut outcome = run(&mut simulation, last_row, (&mut film, refinement.as_mut()), &mut held, holds, &mut look);
+    let mut found = None;
+    if let Some(refinement) = refinement.as_mut().filter(|_| outcome.is_ok()) {
+        while let Some(mut next) = refinement.judge(&simulation) {
+            let begin = next.about().start;
+            let begun = next.initialize(begin).map_err(|failure| failed(&next, &failure));
+            next.take_warnings();
+            let mut own = Vec::new();
+            let ended = begun.and_then(|()| opening(&next, last_row, modes, &mut own)).and_then(|mut film| {
+                run(&mut next, last_row, (&mut film, Some(&mut *refinement)), &mut own, true, &mut look)?;
+                Ok(film)
+            });
+            match ended {
+                Ok(next_film) => (simulation, film, held) = (*next, next_film, own),
+                Err(Stop::Failed(reason)) => refinement.fail(reason),
+                Err(stop) => {
+                    outcome = Err(stop);
+                    break;
+                }
+            }
+        }
+        let told = refinement.outcome(&simulation);
+        held.extend(told.warning());
+        say(&told.line())?;
+        found = refinement.found(&simulation).written_flat(simulation.document()).ok();
     }
-    let outcome = advance(&mut simulation, last_row, |row, simulation| {
-        film.look(row, simulation);
-        look(row as f64 / last_row as f64)
-    });
+    held.iter().for_each(|warning| complain(&format!("warning: {warning}")));
     if let Err(Stop::Failed(message)) = &outcome {
         film.note(&ended_early(simulation.time(), message));
     }
-    Ok((film, outcome))
+    Ok(Filmed { film, outcome, found })
+}
+
+/// The film of a simulation that is at its start. Warnings about modes are `held`.
+fn opening(simulation: &Simulation, last_row: u64, modes: Option<u16>, held: &mut Vec<String>) -> Result<Film, Stop> {
+    let mut film = Film::new(simulation, last_row);
+    film.look(0, simulation);
+    if let Some(count) = modes {
+        let found = simulation.judged_modes(usize::from(count)).map_err(|failure| failed(simulation, &failure))?;
+        film.add_modes(simulation, &found);
+        held.extend(found.warnings);
+    }
+    Ok(film)
+}
+
+/// Advances to the end, and films each row; where it `holds` warnings, they are in `held`.
+fn run(
+    simulation: &mut Simulation,
+    last_row: u64,
+    (film, mut refinement): (&mut Film, Option<&mut Refinement>),
+    held: &mut Vec<String>,
+    holds: bool,
+    look: &mut impl FnMut(f64) -> Result<(), Stop>,
+) -> Result<(), Stop> {
+    if let Some(refinement) = &mut refinement {
+        refinement.look(simulation);
+    }
+    advance(simulation, last_row, holds.then_some(held), |row, simulation| {
+        film.look(row, simulation);
+        if let Some(refinement) = &mut refinement {
+            refinement.look(simulation);
+        }
+        look(row as f64 / last_row as f64)
+    })
 }

@@ -52,7 +52,7 @@ pub fn export(
     let mut bytes = write(export.look(&simulation))?;
     write(export.lists())?;
     let mut listed = Instant::now();
-    let outcome = advance(&mut simulation, last_row, |row, simulation| {
+    let outcome = advance(&mut simulation, last_row, None, |row, simulation| {
         let is_due = row.is_multiple_of(every) || row == last_row;
         if is_due {
             bytes += write(export.look(simulation))?;

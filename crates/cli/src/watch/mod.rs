@@ -5,7 +5,7 @@ mod news;
 mod server;
 
 use super::keeper::end_on_interrupt;
-use super::view::filmed;
+use super::view::{Filmed, filmed};
 use super::{ModelArguments, Stop, complain, is_piped, say, unwritten, voice};
 use ancf14_view::Effort;
 use files::Files;
@@ -90,7 +90,8 @@ fn simulated(
     modes: Option<u16>,
     look: impl FnMut(f64) -> Result<(), Stop>,
 ) -> Result<Run, Stop> {
-    let (film, outcome) = filmed(model.load()?.0, modes, look)?;
+    // Whoever edits a file waits for its picture, not for its last digits.
+    let Filmed { film, outcome, .. } = filmed(model.load()?.0, modes, false, look)?;
     let data = film.data(Effort::Soon).map_err(|reason| unwritten(&reason))?;
     Ok((film.instants(), data, outcome))
 }

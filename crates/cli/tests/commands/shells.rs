@@ -157,6 +157,12 @@ fn models_come_from_pipes() {
     std::fs::write(directory.path().join("part.toml"), part.join("\n")).unwrap();
     let whole = "format = 1\nmodel = { name = \"Whole\" }\nsimulation = { stop = 1 }\ninclude.wing = { file = \"part.toml\" }\n";
     assert!(printed(&piped(directory.path(), whole, &["check", "-"])).contains("standard input: no mistakes"));
+    // These commands load the model twice.
+    let twice: [&[&str]; 2] = [&["linearize", "-", "--at", "equilibrium"], &["export", "-", "--vtk", "out"]];
+    for words in twice {
+        let free = stdin.replace("elements", "# elements");
+        printed(&piped(directory.path(), &free, &[words, &short].concat()));
+    }
 }
 
 /// Every command has its page and is completed.

@@ -2,6 +2,7 @@
 //! their results? `pack` and `header` must take the same numbers: a host compares the GUIDs of both.
 
 use super::command_line::{ancf14, text};
+use super::view_command::solver;
 use std::fs;
 use std::path::Path;
 
@@ -113,11 +114,57 @@ fn inputs_of_a_table_ask_for_elements() {
     assert_eq!(header("m.toml", &["--inputs", "push.csv"]), header("t.toml", &[]));
     let given = ancf14(path, &["pack", "t.toml", "-o", "t.fmu", "--library", "library.so", "--inputs", "push.csv"]);
     assert!(given.status.success() && text(&given.stderr).contains("leave out --inputs"), "{given:?}");
-    for command in [&pack[..3], &["tune", "m.toml", "-o"]] {
+    for command in [&["pack", "m.toml", "--library", "library.so", "-o"][..], &["tune", "m.toml", "-o"]] {
         let target = if command[0] == "pack" { "x.fmu" } else { "x.toml" };
         let refused = ancf14(path, &[command, &[target, "--inputs", "bad.csv"]].concat());
         let told = text(&refused.stderr);
         assert!(refused.status.code() == Some(2) && told.contains("the model has no input `pull.force[3]`"), "{told}");
         assert!(!path.join(target).exists());
     }
+}
+
+/// A page shows the run that is accurate, as that of `run --view`; `--no-refine` shows the first one. The solver in the
+/// page gets the numbers that were found.
+#[test]
+fn pages_show_the_accurate_run() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path();
+    fs::write(path.join("m.toml"), ROD.replace("500*t", "3e5*t")).unwrap();
+    fs::write(path.join("ancf14.wasm"), solver()).unwrap();
+    let page = |name: &str, more: &[&str]| {
+        let told = done(path, &[&["view", "m.toml", "-o", name], more].concat());
+        (told, fs::read_to_string(path.join(name)).unwrap())
+    };
+    let (told, own) = page("own.html", &[]);
+    assert!(told.starts_with("2 runs, 16 elements, accuracy reached: 0."), "{told}");
+    done(path, &["run", "m.toml", "-o", "out", "--view"]);
+    assert!(own == fs::read_to_string(path.join("out/view.html")).unwrap());
+    let (told, once) = page("once.html", &["--no-refine"]);
+    assert!(!told.contains("accuracy reached") && once != own, "{told}");
+    let (_, live) = page("live.html", &["--live=ancf14.wasm"]);
+    assert!(live.contains("elements = 16") && !once.contains("elements = 16"));
+}
+
+/// Files of VTK have the stations of the accurate run, in the same bytes each time.
+#[test]
+fn exports_are_those_of_the_accurate_run() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path();
+    fs::write(path.join("m.toml"), ROD.replace("500*t", "3e5*t")).unwrap();
+    done(path, &["tune", "m.toml", "-o", "t.toml"]);
+    let export = |file: &str, more: &[&str]| {
+        let told = done(path, &[&["export", file, "--vtk", "out"], more].concat());
+        (told, fs::read(path.join("out/beams_4.vtp")).unwrap())
+    };
+    let stations = |bytes: &[u8]| {
+        let text = String::from_utf8_lossy(bytes).into_owned();
+        text.split_once("NumberOfPoints=\"").unwrap().1.split_once('"').unwrap().0.to_owned()
+    };
+    let (told, own) = export("m.toml", &[]);
+    assert!(told.starts_with("2 runs, 16 elements, accuracy reached: 0."), "{told}");
+    assert!(own == export("m.toml", &[]).1);
+    assert_eq!(stations(&own), stations(&export("t.toml", &[]).1));
+    let (told, once) = export("m.toml", &["--no-refine"]);
+    assert!(!told.contains("accuracy reached"), "{told}");
+    assert_ne!(stations(&own), stations(&once));
 }

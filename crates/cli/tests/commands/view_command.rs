@@ -129,7 +129,7 @@ fn the_model_is_spared() {
 }
 
 /// A stand-in for the solver: what the command looks at.
-fn solver() -> Vec<u8> {
+pub(super) fn solver() -> Vec<u8> {
     format!("\0asm...the solver of ancf14 {} for the page...", env!("CARGO_PKG_VERSION")).into_bytes()
 }
 
