@@ -7,6 +7,7 @@ mod models;
 mod refusal;
 mod run;
 mod simulation;
+mod study;
 
 use pyo3::prelude::*;
 use std::ffi::OsString;
@@ -27,5 +28,6 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<simulation::Simulation>()?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
     module.add_function(wrap_pyfunction!(models::table, module)?)?;
+    module.add_function(wrap_pyfunction!(study::study, module)?)?;
     module.add("Refusal", module.py().get_type::<refusal::Refusal>())
 }

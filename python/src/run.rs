@@ -136,13 +136,53 @@ pub fn run(
         }
     };
     let mut rows = locked(&rows);
-    let bytes = |values: &[f64]| {
-        let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_ne_bytes()).collect();
-        PyBytes::new(py, &bytes).unbind()
-    };
     let error = error.map(|error| error.into_value(py).into_any());
     let ranges = found(&rows.ranges);
-    Ok((bytes(&rows.times), bytes(&rows.values), std::mem::take(&mut rows.warnings), error, page, ranges, settings))
+    Ok((
+        bytes(py, &rows.times),
+        bytes(py, &rows.values),
+        std::mem::take(&mut rows.warnings),
+        error,
+        page,
+        ranges,
+        settings,
+    ))
+}
+
+/// Numbers in the order of bytes of the machine.
+pub fn bytes(py: Python<'_>, values: &[f64]) -> Py<PyBytes> {
+    let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_ne_bytes()).collect();
+    PyBytes::new(py, &bytes).unbind()
+}
+
+/// Does `work` on a thread of its own while the calling thread waits without the GIL. A signal sets `is_over`, and is
+/// raised without waiting for the end of the work.
+pub fn on_a_thread<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+    is_over: &AtomicBool,
+) -> PyResult<T> {
+    let (send, mut receive) = channel();
+    let builder = thread::Builder::new().name("ancf14 run".to_owned()).stack_size(STACK);
+    // Nobody waits any more after an interruption.
+    let started = builder.spawn(move || drop(send.send(work())));
+    started.map_err(|reason| PyRuntimeError::new_err(format!("cannot start a thread: {reason}")))?;
+    loop {
+        let (ended, back) = wait(py, receive, LOOK);
+        receive = back;
+        match ended {
+            Ok(found) => return Ok(found),
+            Err(RecvTimeoutError::Disconnected) => {
+                let fault = "internal fault, please report it: the thread of the run has panicked";
+                return Err(Refusal::new_err(("run", fault, None::<usize>)));
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+        }
+        if let Err(interruption) = py.check_signals() {
+            is_over.store(true, Ordering::Relaxed);
+            return Err(interruption);
+        }
+    }
 }
 
 /// What the file must say for a run like `simulation`, the last one that counts.
@@ -166,7 +206,7 @@ fn found(ranges: &Ranges) -> Vec<FoundRange> {
 }
 
 /// Waits for the end without the GIL; the receiver comes back, since it belongs to one thread at a time.
-fn wait(py: Python<'_>, receive: Receiver<End>, time: Duration) -> (Result<End, RecvTimeoutError>, Receiver<End>) {
+fn wait<T: Send>(py: Python<'_>, receive: Receiver<T>, time: Duration) -> (Result<T, RecvTimeoutError>, Receiver<T>) {
     py.detach(move || (receive.recv_timeout(time), receive))
 }
 

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import warnings
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
@@ -17,6 +18,8 @@ import pandas
 import pytest
 import xarray
 from dask.distributed import Client, LocalCluster
+
+from conftest import MODELS
 
 SWING = """
 format = 1
@@ -200,6 +203,42 @@ def test_warnings_of_the_solver_are_kept() -> None:
     study = swing().sweep({"simulation.step": [1e-3, 0.05]}, ["bob.displacement[3]:min"])
     short, long = study["warning"].values
     assert short == "" and "simulation.step = 0.05 s" in long
+
+
+def told_of(model: ancf14.Model, parameters: dict[str, Any], stop: float) -> list[str]:
+    """The warnings of a single run."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        model.run(parameters, stop=stop, refine=False, mesh_error=False)
+    return [str(warning.message) for warning in caught]
+
+
+@pytest.mark.parametrize(
+    ("key", "values"),
+    [
+        ("steel.density", [7850, 7.85, 7800, -1, 7850]),
+        ("arm.elements", [8, 4, 100, 8]),
+        ("arm.strain", ["small", "large", "small"]),
+        ("strip.height", [0.005, "strip.width/4", 0.006]),
+        ("simulation.step", [1e-3, 2e-3, 1e-3]),
+    ],
+)
+def test_points_do_not_depend_on_those_before_them(key: str, values: list[Any]) -> None:
+    """Points share an instance where they can: each has the bits and the warnings of a run of its own, also behind one that fails."""
+    model = ancf14.Model(MODELS / "cantilever.toml")
+    samples = [{key: value} for value in values]
+    study = model.sweep(samples, ["tip.velocity", "tip.displacement:last"], stop=0.02, executor=ThreadPoolExecutor(1))
+    for number, sample in enumerate(samples):
+        try:
+            own = model.run(sample, stop=0.02, refine=False)
+        except ancf14.Error as reason:
+            assert study["error"].values[number] == str(reason)
+            continue
+        assert study["error"].values[number] == ""
+        assert study["tip.velocity"].values[number].tobytes() == own["tip.velocity"].tobytes()
+        notes = [text for text in told_of(model, sample, 0.02) if "is off by" not in text]
+        assert [text for text in study["warning"].values[number].splitlines() if "is off by" not in text] == notes
+    assert any("unusually light" in text for text in study["warning"].values) or key != "steel.density"
 
 
 @pytest.mark.parametrize(

@@ -181,6 +181,12 @@ class Model:
     def _changes(parameters: Parameters | None) -> list[tuple[str, str]]:
         return [(key, _text(value)) for key, value in (parameters or {}).items()]
 
+    @staticmethod
+    def _ends(stop: float | None, output_step: float | None) -> list[tuple[str, str]]:
+        """Return the changes by the end of a run and the time between its rows."""
+        given = (("simulation.stop", stop), ("simulation.output_step", output_step))
+        return [(key, _text(float(value))) for key, value in given if value is not None]
+
     def _run(
         self,
         parameters: Parameters | None,
@@ -195,12 +201,7 @@ class Model:
         budget: float | None = None,
     ) -> Results:
         """Simulate; the warnings go to ``told``, those about errors only of the results ``judged``, if given. With ``mesh_error`` a second run beside a motion, with half the elements, tells the mesh error."""
-        changes = self._changes(parameters)
-        changes += [
-            (key, _text(float(value)))
-            for key, value in (("simulation.stop", stop), ("simulation.output_step", output_step))
-            if value is not None
-        ]
+        changes = self._changes(parameters) + self._ends(stop, output_step)
         simulation = self._open(changes)
         if mesh_error:
             simulation.ask_for_mesh_error()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -29,6 +29,14 @@ REDUCERS: dict[str, Callable[[Array], Any]] = {
 """What is made of the rows of a column or a vector; ``rms`` and ``mean`` count each row once."""
 
 
+class Columns(Protocol):
+    """The columns of a run."""
+
+    def __getitem__(self, name: str, /) -> Array:
+        """Return a column, or an array of all components of a vector or a table."""
+        ...
+
+
 @dataclass(frozen=True)
 class Reduced:
     """One result of a study."""
@@ -45,9 +53,10 @@ class Reduced:
         """Whether it has a value for each row of results."""
         return self.how == ""
 
-    def of(self, results: Results) -> Array:
+    def of(self, results: Results | Columns) -> Array:
         """Return the value for a run."""
         if callable(self.how):
+            assert isinstance(results, Results)
             return np.asarray(self.how(results), dtype=float)
         assert self.column is not None
         series = results[self.column]

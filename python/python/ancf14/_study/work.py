@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._errors import CallError
+from .. import _native
+from .._errors import CallError, raising
+from .._names import Components
 from .reducers import Array, Reduced
 
 if TYPE_CHECKING:
@@ -26,6 +28,11 @@ class Recipe:
     """Keyword arguments of ``Model.run``."""
     found: dict[str, str] = field(default_factory=dict)
     """Steps and meshes of all points, as parameters of ``Model.run``; those of a point come before them."""
+
+    def is_plain(self) -> bool:
+        """Return whether only columns are kept, of runs that are not repeated and have no inputs."""
+        inputs, refine = self.settings.get("inputs"), self.settings.get("refine", False)
+        return self.judged() is not None and not inputs and refine is False
 
     def judged(self) -> list[str] | None:
         """Return the results whose errors matter: those that are kept. None: all, as a function may read any."""
@@ -55,6 +62,10 @@ def chunk(recipe: Recipe, numbers: Sequence[int], points: Sequence[dict[str, Any
     """Run the points of a chunk one after the other. A point that fails has its message; the others go on."""
     begin = time.perf_counter()
     done = Done(numbers)
+    if recipe.is_plain():
+        _run_all(recipe, points, done)
+        done.seconds = time.perf_counter() - begin
+        return done
     for parameters in points:
         told: list[str] = []
         values: list[Array] | None = None
@@ -74,6 +85,53 @@ def chunk(recipe: Recipe, numbers: Sequence[int], points: Sequence[dict[str, Any
 
 class DifferentRows(CallError):
     """Two runs have different times, so that their series do not fit into one array."""
+
+
+class _Columns:
+    """The columns of a run that a study keeps."""
+
+    def __init__(self, columns: dict[str, int], components: Components) -> None:
+        self._columns, self._components = columns, components
+        self.time: Array = np.empty(0)
+        self._values: Array = np.empty((0, 0))
+
+    def fill(self, times: bytes, values: bytes) -> None:
+        """Take the rows of another run."""
+        self.time = np.frombuffer(times)
+        self._values = np.frombuffer(values).reshape(len(self.time), -1).T.copy()
+
+    def __getitem__(self, name: str) -> Array:
+        if name in self._columns:
+            column: Array = self._values[self._columns[name]]
+            return column
+        return self._components.stack(name, self.__getitem__, (len(self.time),))
+
+
+def _run_all(recipe: Recipe, points: Sequence[dict[str, Any]], done: Done) -> None:
+    """Run all points in the solver, without a return to Python in between."""
+    model = recipe.model
+    components = Components(model.outputs)
+    named = [output.column for output in recipe.outputs if output.column is not None]
+    own = [[name] if name in model.outputs else list(components.names(name).values()) for name in named]
+    wanted = list(dict.fromkeys(name for names in own for name in names))
+    columns = _Columns({name: number for number, name in enumerate(wanted)}, components)
+    ends = model._ends(recipe.settings.get("stop"), recipe.settings.get("output_step"))
+    changes = [list(dict([*model._overrides, *model._changes({**recipe.found, **point}), *ends]).items()) for point in points]
+    with raising():
+        found = _native.study(model._source, changes, wanted, recipe.judged() or [])
+    for error, warnings, times, values in found:
+        done.errors.append(error or "")
+        # Those about the file were issued when it was loaded.
+        done.warnings.append("\n".join(warning for warning in warnings if warning not in model._notes))
+        if error is not None:
+            done.values.append(None)
+            continue
+        columns.fill(times, values)
+        done.values.append([output.of(columns) for output in recipe.outputs])
+        if any(output.is_series for output in recipe.outputs):
+            if done.times is None:
+                done.times = columns.time.copy()
+            expect_same(done.times, columns.time)
 
 
 def _run(recipe: Recipe, parameters: dict[str, Any], done: Done, told: list[str]) -> list[Array]:

@@ -1,0 +1,128 @@
+//! Points of a study, one after the other on one thread: the model is read once, and a run gathers only what the study
+//! keeps.
+
+use crate::refusal::place;
+use crate::run::{bytes, on_a_thread};
+use ancf14::error::decimal;
+use ancf14::model::notes;
+use ancf14::{Error, Kind, Reach, Simulation, VariableId};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// What a point leaves: why it failed; warnings; the times of its rows, s; the values of the wanted columns, row by row.
+type Point = (Option<String>, Vec<String>, Py<PyBytes>, Py<PyBytes>);
+
+/// A point before Python sees it.
+#[derive(Default)]
+struct Done {
+    error: Option<String>,
+    warnings: Vec<String>,
+    times: Vec<f64>,
+    values: Vec<f64>,
+}
+
+/// The changes of a model file, by key.
+type Overrides = Vec<(String, String)>;
+
+/// Runs the `points`, each the model with these changes, and gathers the columns `wanted`. Warnings of errors are about
+/// the results `judged`.
+#[pyfunction]
+pub fn study(
+    py: Python<'_>,
+    source: (String, String, Option<PathBuf>, bool),
+    points: Vec<Overrides>,
+    wanted: Vec<String>,
+    judged: Vec<String>,
+) -> PyResult<Vec<Point>> {
+    let is_over = Arc::new(AtomicBool::new(false));
+    let own_over = Arc::clone(&is_over);
+    let work = move || {
+        let mut bench = Bench { source, judged, kept: None };
+        let points = points.iter().take_while(|_| !own_over.load(Ordering::Relaxed));
+        points.map(|changes| bench.run(changes, &wanted, &own_over)).collect::<Vec<Done>>()
+    };
+    let done = on_a_thread(py, work, &is_over)?;
+    let point =
+        |Done { error, warnings, times, values }: Done| (error, warnings, bytes(py, &times), bytes(py, &values));
+    Ok(done.into_iter().map(point).collect())
+}
+
+/// Where points run.
+struct Bench {
+    /// Name, text and folder of the model file, and whether it may name files elsewhere.
+    source: (String, String, Option<PathBuf>, bool),
+    judged: Vec<String>,
+    /// The simulation of the point before, with the keys of its changes.
+    kept: Option<(Simulation, Vec<String>)>,
+}
+
+impl Bench {
+    /// Runs a point.
+    fn run(&mut self, changes: &Overrides, wanted: &[String], is_over: &AtomicBool) -> Done {
+        let mut done = Done::default();
+        let (mut simulation, notes) = match self.at(changes) {
+            Ok(found) => found,
+            Err(error) => return Done { error: Some(error.to_string()), ..done },
+        };
+        done.warnings = notes;
+        let outcome = gather(&mut simulation, wanted, is_over, &mut done);
+        done.warnings.extend(simulation.take_warnings());
+        match outcome {
+            Ok(()) => self.kept = Some((simulation, changes.iter().map(|(key, _)| key.clone()).collect())),
+            Err(error) => {
+                let located = place(&simulation, &error).map(|(message, _)| message);
+                done.error = Some(located.unwrap_or_else(|| error.to_string()));
+            }
+        }
+        done
+    }
+
+    /// The model with these changes, and the notes about its file: that of the point before where all of them are
+    /// numbers that can be set, or a new one.
+    fn at(&mut self, changes: &Overrides) -> Result<(Simulation, Vec<String>), Error> {
+        if let Some((mut simulation, keys)) = self.kept.take() {
+            let is_same = keys.iter().eq(changes.iter().map(|(key, _)| key));
+            if is_same && simulation.reset().is_ok() && set(&mut simulation, changes).is_some() {
+                simulation.take_warnings();
+                let notes = notes::notes(simulation.model().document());
+                return Ok((simulation, notes));
+            }
+        }
+        let (name, text, folder, allow_outside) = &self.source;
+        let changes: Vec<(&str, &str)> = changes.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
+        let reach = if *allow_outside { Reach::Anywhere } else { Reach::Inside };
+        let mut simulation = match folder {
+            Some(folder) => Simulation::from_text_in(folder, reach, name, text, &changes)?,
+            None => Simulation::from_text_with(name, text, &changes)?,
+        };
+        let judged: Vec<&str> = self.judged.iter().map(String::as_str).collect();
+        simulation.judge_only(&judged)?;
+        let notes = simulation.take_warnings();
+        Ok((simulation, notes))
+    }
+}
+
+/// Sets parameters to numbers; none: one is something else, as a word or the end of the run.
+fn set(simulation: &mut Simulation, changes: &Overrides) -> Option<()> {
+    changes.iter().try_for_each(|(key, value)| {
+        let id = simulation.find(key).ok()?;
+        let kind = simulation.variable(id.index()).ok()?.kind;
+        let number = value.parse().ok().filter(|_| matches!(kind, Kind::Parameter | Kind::Tunable))?;
+        simulation.set_value_of(id, number).ok()
+    })
+}
+
+/// Runs to the end, row by row, until it is over.
+fn gather(simulation: &mut Simulation, wanted: &[String], is_over: &AtomicBool, done: &mut Done) -> Result<(), Error> {
+    let columns = wanted.iter().map(|name| simulation.find(name)).collect::<Result<Vec<VariableId>, _>>()?;
+    simulation.run_while(|simulation| {
+        done.times.push(decimal(simulation.time()));
+        for id in &columns {
+            done.values.push(simulation.value_of(*id)?);
+        }
+        Ok(!is_over.load(Ordering::Relaxed))
+    })
+}
