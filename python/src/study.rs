@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// What a point leaves: why it failed; warnings; the times of its rows, s; the values of the wanted columns, row by row.
+/// A point: why it failed; warnings; the times of its rows, s; the values of the wanted columns, row by row.
 type Point = (Option<String>, Vec<String>, Py<PyBytes>, Py<PyBytes>);
 
 /// A point before Python sees it.

@@ -214,13 +214,13 @@ fn begins_as_page(path: &Path) -> bool {
     read.is_ok() && begin == BEGIN
 }
 
-/// What there is to see of a simulation.
+/// The film of a simulation.
 pub struct Filmed {
     /// The last run that counts, one that fails up to the failure.
     pub film: Film,
     /// How it has ended.
     pub outcome: Result<(), Stop>,
-    /// The text of the model without copies and includes, with the steps and meshes of that run; none: those of the file.
+    /// The text of the model without copies and includes, with the steps and meshes of that run; none: as in the file.
     pub found: Option<String>,
 }
 
@@ -276,7 +276,7 @@ pub fn filmed(
     Ok(Filmed { film, outcome, found })
 }
 
-/// The film of a simulation that is at its start. Warnings about modes are `held`.
+/// The film of a simulation at its start. Warnings about modes are `held`.
 fn opening(simulation: &Simulation, last_row: u64, modes: Option<u16>, held: &mut Vec<String>) -> Result<Film, Stop> {
     let mut film = Film::new(simulation, last_row);
     film.look(0, simulation);
