@@ -77,8 +77,8 @@ impl Found {
         self.meshes.iter().map(mesh).chain(steps).collect()
     }
 
-    /// The settings as overrides, each a key and its value. A beam with a number of elements has linear twist unless its
-    /// file says otherwise.
+    /// The settings as overrides, each a key and its value. A beam with a number of elements has linear twist, unless
+    /// its file says otherwise.
     pub fn overrides(&self) -> Vec<Override> {
         let own = |mesh: &Mesh| {
             let elements = (format!("{}.elements", mesh.name), mesh.elements.to_string());
