@@ -55,58 +55,85 @@ struct Bench {
     /// Name, text and folder of the model file, and whether it may name files elsewhere.
     source: (String, String, Option<PathBuf>, bool),
     judged: Vec<String>,
-    /// The simulation of the point before, with the keys of its changes.
-    kept: Option<(Simulation, Vec<String>)>,
+    /// That of the point before.
+    kept: Option<Kept>,
+}
+
+/// A simulation that points share.
+struct Kept {
+    simulation: Simulation,
+    /// The changes that it was loaded with.
+    loaded: Overrides,
+    /// The notes about its file.
+    notes: Vec<String>,
 }
 
 impl Bench {
     /// Runs a point.
     fn run(&mut self, changes: &Overrides, wanted: &[String], is_over: &AtomicBool) -> Done {
         let mut done = Done::default();
-        let (mut simulation, notes) = match self.at(changes) {
-            Ok(found) => found,
+        let is_kept = self.kept.is_some();
+        let mut own = match self.at(changes) {
+            Ok(own) => own,
             Err(error) => return Done { error: Some(error.to_string()), ..done },
         };
-        done.warnings = notes;
-        let outcome = gather(&mut simulation, wanted, is_over, &mut done);
+        let simulation = &mut own.simulation;
+        done.warnings.clone_from(&own.notes);
+        let outcome = gather(simulation, wanted, is_over, &mut done);
         done.warnings.extend(simulation.take_warnings());
         match outcome {
-            Ok(()) => self.kept = Some((simulation, changes.iter().map(|(key, _)| key.clone()).collect())),
+            Ok(()) => self.kept = Some(own),
+            // Messages quote the changes that the model was loaded with.
+            Err(_) if is_kept => return self.run(changes, wanted, is_over),
             Err(error) => {
-                let located = place(&simulation, &error).map(|(message, _)| message);
+                let located = place(simulation, &error).map(|(message, _)| message);
                 done.error = Some(located.unwrap_or_else(|| error.to_string()));
             }
         }
         done
     }
 
-    /// The model with these changes, and the notes about its file: that of the point before where all of them are
-    /// numbers that can be set, or a new one.
-    fn at(&mut self, changes: &Overrides) -> Result<(Simulation, Vec<String>), Error> {
-        if let Some((mut simulation, keys)) = self.kept.take() {
-            let is_same = keys.iter().eq(changes.iter().map(|(key, _)| key));
-            if is_same && simulation.reset().is_ok() && set(&mut simulation, changes).is_some() {
-                simulation.take_warnings();
-                let notes = notes::notes(simulation.model().document());
-                return Ok((simulation, notes));
-            }
+    /// The model with these changes: that of the point before where all that differs are numbers that can be set, or a
+    /// new one.
+    fn at(&mut self, changes: &Overrides) -> Result<Kept, Error> {
+        if let Some(kept) = self.kept.take().and_then(|kept| kept.with(changes)) {
+            return Ok(kept);
         }
         let (name, text, folder, allow_outside) = &self.source;
-        let changes: Vec<(&str, &str)> = changes.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
+        let pairs: Vec<(&str, &str)> = changes.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
         let reach = if *allow_outside { Reach::Anywhere } else { Reach::Inside };
         let mut simulation = match folder {
-            Some(folder) => Simulation::from_text_in(folder, reach, name, text, &changes)?,
-            None => Simulation::from_text_with(name, text, &changes)?,
+            Some(folder) => Simulation::from_text_in(folder, reach, name, text, &pairs)?,
+            None => Simulation::from_text_with(name, text, &pairs)?,
         };
         let judged: Vec<&str> = self.judged.iter().map(String::as_str).collect();
         simulation.judge_only(&judged)?;
         let notes = simulation.take_warnings();
-        Ok((simulation, notes))
+        Ok(Kept { simulation, loaded: changes.clone(), notes })
+    }
+}
+
+impl Kept {
+    /// The same simulation at its start, with other changes; none: it must be loaded anew.
+    fn with(mut self, changes: &Overrides) -> Option<Self> {
+        let Self { simulation, loaded, notes } = &mut self;
+        if !loaded.iter().map(|(key, _)| key).eq(changes.iter().map(|(key, _)| key)) {
+            return None;
+        }
+        simulation.reset().ok()?;
+        let others: Vec<&(String, String)> =
+            changes.iter().zip(&*loaded).filter(|(own, loaded)| own != loaded).map(|(own, _)| own).collect();
+        set(simulation, &others)?;
+        simulation.take_warnings();
+        // Notes quote the changes that the model was loaded with.
+        let quotes = |note: &String| others.iter().any(|(key, _)| note.contains(key.as_str()));
+        let is_same = notes::notes(simulation.model().document()) == *notes && !notes.iter().any(quotes);
+        is_same.then_some(self)
     }
 }
 
 /// Sets parameters to numbers; none: one is something else, as a word or the end of the run.
-fn set(simulation: &mut Simulation, changes: &Overrides) -> Option<()> {
+fn set(simulation: &mut Simulation, changes: &[&(String, String)]) -> Option<()> {
     changes.iter().try_for_each(|(key, value)| {
         let id = simulation.find(key).ok()?;
         let kind = simulation.variable(id.index()).ok()?.kind;

@@ -17,6 +17,8 @@ import numpy as np
 import pandas
 import pytest
 import xarray
+from ancf14._study.reducers import reduced
+from ancf14._study.work import Recipe, chunk
 from dask.distributed import Client, LocalCluster
 
 from conftest import MODELS
@@ -224,21 +226,23 @@ def told_of(model: ancf14.Model, parameters: dict[str, Any], stop: float) -> lis
     ],
 )
 def test_points_do_not_depend_on_those_before_them(key: str, values: list[Any]) -> None:
-    """Points share an instance where they can: each has the bits and the warnings of a run of its own, also behind one that fails."""
+    """Points of a chunk share an instance where they can: each has the bits and the warnings of a run of its own, also behind one that fails."""
     model = ancf14.Model(MODELS / "cantilever.toml")
     samples = [{key: value} for value in values]
-    study = model.sweep(samples, ["tip.velocity", "tip.displacement:last"], stop=0.02, executor=ThreadPoolExecutor(1))
+    recipe = Recipe(model, reduced(["tip.velocity"], model.outputs), {"stop": 0.02})
+    done = chunk(recipe, range(len(samples)), samples)
     for number, sample in enumerate(samples):
         try:
             own = model.run(sample, stop=0.02, refine=False)
         except ancf14.Error as reason:
-            assert study["error"].values[number] == str(reason)
+            assert done.errors[number] == str(reason) and done.values[number] is None
             continue
-        assert study["error"].values[number] == ""
-        assert study["tip.velocity"].values[number].tobytes() == own["tip.velocity"].tobytes()
-        notes = [text for text in told_of(model, sample, 0.02) if "is off by" not in text]
-        assert [text for text in study["warning"].values[number].splitlines() if "is off by" not in text] == notes
-    assert any("unusually light" in text for text in study["warning"].values) or key != "steel.density"
+        found = done.values[number]
+        assert done.errors[number] == "" and found is not None
+        assert found[0].tobytes() == own["tip.velocity"].tobytes()
+        notes = [text for text in told_of(model, sample, 0.02) if "is off by" not in text and "the error of" not in text]
+        assert [text for text in done.warnings[number].splitlines() if "is off by" not in text and "the error of" not in text] == notes
+    assert any("unusually light" in text for text in done.warnings) or key != "steel.density"
 
 
 @pytest.mark.parametrize(
