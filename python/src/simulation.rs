@@ -178,11 +178,15 @@ impl Simulation {
         system: &LinearSystem,
         error: Option<f64>,
         order: usize,
-        is_modal: bool,
+        method: &str,
     ) -> PyResult<LinearSystem> {
         let simulation = self.get()?;
         let size = error.map_or(Size::Order(order), Size::Error);
-        let method = if is_modal { Method::Modal } else { Method::Balanced };
+        let method = match method {
+            "modal" => Method::Modal,
+            "craig-bampton" => Method::CraigBampton,
+            _ => Method::Balanced,
+        };
         let found = py.detach(|| system.reduced(simulation.model(), size, method));
         found.map_err(|reason| located(simulation, &Error::Failed { reason }))
     }

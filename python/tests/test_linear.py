@@ -142,6 +142,12 @@ def test_reduced_systems(tmp_path: Path) -> None:
     for omega in (0.0, 50.0, 88.0, 300.0):
         assert abs(response(small, omega) - response(whole, omega)) <= 1e-3 * peak
     assert len(whole.reduce(order=4, method="modal").states) == 4
+    synthesis = whole.reduce(order=6, method="craig-bampton")
+    assert synthesis.states == ["mode[1]", "mode[2]", "static[1]", "mode[1].rate", "mode[2].rate", "static[1].rate"]
+    assert synthesis.bound is None and response(synthesis, 0.0) == pytest.approx(response(whole, 0.0), rel=1e-7)
+    assert synthesis.A[3:, :3] == pytest.approx(synthesis.A[3:, :3].T, rel=1e-9, abs=1e-6)
+    with pytest.raises(ancf14.CallError, match='"modal" or "craig-bampton"'):
+        whole.reduce(order=6, method="guyan")
     assert len(np.load(small.save(tmp_path / "small.npz"))["A"]) == len(small.states)
     for fmi, word in [(2, "guid"), (3, "instantiationToken")]:
         with zipfile.ZipFile(small.pack(tmp_path / "small.fmu", fmi=fmi)) as archive:

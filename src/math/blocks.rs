@@ -116,6 +116,14 @@ impl Blocks {
         own
     }
 
+    /// The same with the sizes of all values.
+    #[must_use]
+    pub fn sizes(&self) -> Self {
+        let mut own = self.clone();
+        own.values.iter_mut().for_each(|value| *value = value.abs());
+        own
+    }
+
     /// Sets the blocks that [`Self::leading`] copies to those of such a copy.
     pub fn set_leading(&mut self, size: usize, leading: &Self) {
         let mut copy = 0;

@@ -22,7 +22,8 @@ pub struct Wishes {
     #[arg(long, value_name = "N", value_parser = super::modes::count)]
     order: Option<u16>,
     /// How states are left out: balanced has a bound of the error; modal keeps the modes with the largest peaks, and
-    /// the static responses of the others
+    /// the static responses of the others; craig-bampton keeps the softest modes and the static responses to the
+    /// inputs, with symmetric matrices
     #[arg(long, value_enum, default_value_t)]
     method: Way,
     /// Print the largest error over many frequencies
@@ -41,6 +42,7 @@ enum Way {
     #[default]
     Balanced,
     Modal,
+    CraigBampton,
 }
 
 /// The error where nothing is asked for.
@@ -64,6 +66,7 @@ pub fn reduce(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -
     let method = match wishes.method {
         Way::Balanced => Method::Balanced,
         Way::Modal => Method::Modal,
+        Way::CraigBampton => Method::CraigBampton,
     };
     let found = whole.reduce(&simulation, size, method).map_err(|failure| failed(&simulation, &failure))?;
     let name = simulation.about().name.clone();
@@ -83,7 +86,7 @@ pub fn reduce(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -
     });
     let kept = if *kept > 0 { format!(", {kept} of them kept exactly") } else { String::new() };
     say(&format!("{whole} states reduced to {order}{kept}{bound}: {}", wishes.output.display()))?;
-    if wishes.check || wishes.method == Way::Modal {
+    if wishes.check || wishes.method != Way::Balanced {
         say(&format!(
             "the largest error at the frequencies that were looked at is {error:.1e} of the response to a sudden change"
         ))?;

@@ -110,10 +110,11 @@ class Linearization:
     def reduce(self, error: float | None = None, order: int | None = None, method: str = "balanced") -> Linearization:
         """Return the system with fewer states: as few as keep the ``error``, a share of the response to a sudden change of an input (default 0.01), or ``order`` of them.
 
-        ``method`` is ``"balanced"``, with a bound of the error, or ``"modal"``: the modes with the largest peaks, and the static responses of the others.
+        ``method`` is ``"balanced"``, with a bound of the error, ``"modal"``: the modes with the largest peaks, and the static responses of the others, or
+        ``"craig-bampton"``: the softest modes with prescribed motions held, and the static responses to the inputs, with symmetric matrices.
         """
-        if method not in ("balanced", "modal"):
-            raise CallError(f'method is "balanced" or "modal", not {method!r}')
+        if method not in ("balanced", "modal", "craig-bampton"):
+            raise CallError(f'method is "balanced", "modal" or "craig-bampton", not {method!r}')
         if error is not None and order is not None:
             raise CallError("error and order exclude each other; give one of them")
         if error is not None and not 0 < error < 1:
@@ -122,7 +123,7 @@ class Linearization:
             raise CallError(f"order is at least 1, not {order}")
         share = 0.01 if error is None and order is None else error
         with raising():
-            found = self._simulation.reduce(self._native, share, order or 0, method == "modal")
+            found = self._simulation.reduce(self._native, share, order or 0, method)
         return Linearization._of(found, self._simulation)
 
     def to_control(self) -> Any:

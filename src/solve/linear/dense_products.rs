@@ -10,7 +10,7 @@ const ITERATIONS: usize = 8;
 /// The shift over the size of the first eigenvalue outside.
 const SHIFT: f64 = 1e-4;
 
-fn from_faer(matrix: MatRef<'_, f64>) -> Dense {
+pub(super) fn from_faer(matrix: MatRef<'_, f64>) -> Dense {
     let mut own = Dense::zeros(matrix.nrows(), matrix.ncols());
     for column in 0..own.columns {
         (0..own.rows).for_each(|row| own.column_mut(column)[row] = matrix[(row, column)]);
@@ -47,6 +47,47 @@ impl Dense {
             rows.iter().enumerate().for_each(|(to, from)| own.column_mut(column)[to] = self.at(*from, column));
         }
         own
+    }
+
+    /// The columns with these numbers.
+    #[must_use]
+    pub fn columns_at(&self, columns: impl IntoIterator<Item = usize>) -> Self {
+        let mut own = Self { rows: self.rows, ..Self::default() };
+        for column in columns {
+            own.columns += 1;
+            own.values.extend_from_slice(self.column(column));
+        }
+        own
+    }
+
+    /// The columns of this matrix and of `other`.
+    #[must_use]
+    pub fn beside(mut self, other: &Self) -> Self {
+        self.columns += other.columns;
+        self.values.extend_from_slice(&other.values);
+        self
+    }
+
+    /// `self - other`.
+    #[must_use]
+    pub fn minus(mut self, other: &Self) -> Self {
+        self.values.iter_mut().zip(&other.values).for_each(|(own, other)| *own -= other);
+        self
+    }
+
+    /// `(self + selfᵀ)/2`.
+    #[must_use]
+    pub fn symmetric_part(&self) -> Self {
+        let mut own = self.transposed();
+        own.values.iter_mut().zip(&self.values).for_each(|(own, other)| *own = 0.5 * (*own + other));
+        own
+    }
+
+    /// `|self|`, entry by entry.
+    #[must_use]
+    pub fn sizes(&self) -> Self {
+        let values = self.values.iter().map(|value| value.abs()).collect();
+        Self { rows: self.rows, columns: self.columns, values }
     }
 
     /// `self⁻¹ · right`.

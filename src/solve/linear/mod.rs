@@ -15,6 +15,7 @@ pub mod ordering;
 mod repeated;
 pub mod sparse_ldl;
 pub mod sparse_lu;
+mod symmetric;
 mod transposed;
 pub mod units;
 mod waiting_bodies;

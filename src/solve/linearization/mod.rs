@@ -12,12 +12,14 @@
 //! state moves: the rotary inertia that follows the sections, and the second derivatives of constraints by time.
 
 pub mod base;
+pub mod component_modes;
 mod differences;
 mod gramian;
 pub mod independent;
 mod modal;
 pub mod poles;
 pub mod responses;
+pub mod second_order;
 pub mod state_space;
 pub mod steady;
 pub mod tracking;

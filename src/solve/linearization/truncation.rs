@@ -27,9 +27,9 @@ const GRID: usize = 400;
 /// Factor by which they reach beyond the least and the largest pole.
 const BEYOND: f64 = 100.0;
 
-/// How states are left out.
+/// How states are left out here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+pub enum Rule {
     /// Those that inputs move and outputs see least.
     Balanced,
     /// Modes with the smallest peaks, whose static responses stay.
@@ -46,12 +46,16 @@ pub enum Size {
 }
 
 /// Why a system is not reduced.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refusal {
     /// Eigenvalues do not converge.
     NotFound,
     /// More states have poles that do not fade than are wanted.
     Kept(usize),
+    /// More states have poles that do not fade, or are static responses, than are wanted.
+    Held(usize),
+    /// The stiffness has a part that is not symmetric, of this share.
+    Asymmetric(f64),
 }
 
 impl From<Singular> for Refusal {
@@ -67,6 +71,12 @@ pub enum Origin {
     State(usize),
     /// A coordinate of a mode.
     Mode,
+    /// The rate of such a coordinate, where it is a state too.
+    ModeRate,
+    /// A coordinate of a static response.
+    Static,
+    /// Its rate.
+    StaticRate,
     /// A balanced state.
     Balanced,
 }
@@ -106,7 +116,7 @@ pub struct Whole {
 ///
 /// # Errors
 /// Eigenvalues do not converge, or too many poles do not fade.
-pub fn reduce(system: &Whole, size: Size, method: Method) -> Result<Truncated, Refusal> {
+pub fn reduce(system: &Whole, size: Size, rule: Rule) -> Result<Truncated, Refusal> {
     let Whole { matrices: whole, kinds, .. } = system;
     let (fixed, origins, rest) = split(system)?;
     let found = rest.a.eigensystem()?;
@@ -124,12 +134,12 @@ pub fn reduce(system: &Whole, size: Size, method: Method) -> Result<Truncated, R
     modes.scale([&units[0], &units[1]]);
     let mut own_d = Dense::zeros(whole.d.rows, whole.d.columns);
 
-    let (StateSpace { a, b, c, .. }, exact, bound, error) = match method {
-        Method::Balanced => {
+    let (StateSpace { a, b, c, .. }, exact, bound, error) = match rule {
+        Rule::Balanced => {
             let Balanced { matrices, exact, bound, error } = balance(&modes, size, kept, &grid)?;
             (matrices, exact, Some(bound), error)
         }
-        Method::Modal => {
+        Rule::Modal => {
             let (chosen, error, correction) = choose(&modes, size, kept, &grid);
             own_d = correction;
             (together(&[modes.real(&chosen)], &own_d), chosen.len(), None, error)
@@ -155,7 +165,7 @@ pub fn reduce(system: &Whole, size: Size, method: Method) -> Result<Truncated, R
 }
 
 /// The part of the poles at 0 in states of the whole system, with these, and the rest.
-pub(super) fn split(system: &Whole) -> Result<(StateSpace, Vec<Origin>, StateSpace), Refusal> {
+pub fn split(system: &Whole) -> Result<(StateSpace, Vec<Origin>, StateSpace), Refusal> {
     let Whole { matrices: whole, zeros, slowest, integrators, .. } = system;
     let (StateSpace { a, b, c, d }, zeros) = (whole, *zeros);
     let states = a.rows;
@@ -220,14 +230,14 @@ pub(super) fn split(system: &Whole) -> Result<(StateSpace, Vec<Origin>, StateSpa
 }
 
 /// The rows that tell the columns of `matrix` best, ascending.
-fn pivots(matrix: &Dense) -> Vec<usize> {
+pub(super) fn pivots(matrix: &Dense) -> Vec<usize> {
     let mut rows = PivotedQr::new(matrix.transposed(), 0.0).order[..matrix.columns].to_vec();
     rows.sort_unstable();
     rows
 }
 
 /// Frequencies at which responses are compared, rad/s.
-fn grid(poles: &[Complex]) -> Vec<f64> {
+pub(super) fn grid(poles: &[Complex]) -> Vec<f64> {
     let sizes = || poles.iter().map(|pole| pole.norm());
     let (least, largest) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(0.0, f64::max));
     if largest == 0.0 {
@@ -243,7 +253,7 @@ fn grid(poles: &[Complex]) -> Vec<f64> {
 
 /// The responses of outputs to sudden changes of inputs, and then of inputs in these: what both are measured in. Such a
 /// response is at most the sum of what it moves each mode by, `|C x| |yᵀ B| / |λ|`, and at most twice that for a time.
-fn units(modes: &Modes, d: &Dense, kinds: &[usize]) -> [Vec<f64>; 2] {
+pub(super) fn units(modes: &Modes, d: &Dense, kinds: &[usize]) -> [Vec<f64>; 2] {
     let mut largest = Dense::zeros(d.rows, d.columns);
     largest.values.iter_mut().zip(&d.values).for_each(|(own, d)| *own = d.abs());
     for ((pole, seen), moved) in modes.poles.iter().zip(&modes.seen).zip(&modes.moved) {

@@ -2,6 +2,7 @@
 
 pub mod breaks;
 pub mod chosen_steps;
+mod component_modes;
 pub mod constrained_mass;
 pub mod direct_solver;
 pub mod driven_stiff;

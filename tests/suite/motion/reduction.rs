@@ -8,7 +8,7 @@ use ancf14::model::simulation::Simulation;
 use ancf14_testing::curves::load;
 use nalgebra::{Complex, DMatrix};
 
-const CANTILEVER: &str = r#"format = 1
+pub const CANTILEVER: &str = r#"format = 1
 model = { name = "Cantilever", gravity = [0, 0, 0] }
 material.steel = { young = 2.1e11, poisson = 0.3, density = 7850, damping = 1e-3, mass_damping = 0.5 }
 section.rod = { shape = "rectangle", width = 0.02, height = 0.01 }
@@ -20,7 +20,7 @@ simulation = { stop = 1, step = 1e-3, output_step = 1e-2 }
 "#;
 
 /// A beam on a cart that nothing holds, and on a drive.
-const CART: &str = r#"format = 1
+pub const CART: &str = r#"format = 1
 model = { name = "Cart", gravity = [0, 0, 0] }
 material.steel = { young = 2.1e11, poisson = 0.3, density = 7850, damping = 1e-3 }
 section.rod = { shape = "rectangle", width = 0.02, height = 0.01 }
@@ -35,18 +35,18 @@ output.tip = { at = "mast.end", quantities = ["position", "acceleration"] }
 simulation = { stop = 1, step = 1e-3 }
 "#;
 
-fn linear(model: &Simulation, inputs: &[&str], outputs: &[&str]) -> Linear {
+pub fn linear(model: &Simulation, inputs: &[&str], outputs: &[&str]) -> Linear {
     let [inputs, outputs] =
         [inputs, outputs].map(|names| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>());
     model.linearize(Some(&inputs), Some(&outputs)).unwrap_or_else(|failure| panic!("{}", failure.message))
 }
 
-fn reduced(found: &Linear, model: &Simulation, size: Size, method: Method) -> Reduced {
+pub fn reduced(found: &Linear, model: &Simulation, size: Size, method: Method) -> Reduced {
     found.reduce(model, size, method).unwrap_or_else(|failure| panic!("{}", failure.message))
 }
 
 /// `C (s − A)⁻¹ B + D`.
-fn response(linear: &Linear, s: Complex<f64>) -> DMatrix<Complex<f64>> {
+pub fn response(linear: &Linear, s: Complex<f64>) -> DMatrix<Complex<f64>> {
     let count = linear.states.len();
     let of = |own: &ancf14::model::linear::Matrix| {
         DMatrix::from_fn(own.rows, own.columns, |row, column| Complex::from(own.at(row, column)))

@@ -98,6 +98,12 @@ simulation = { stop = 1, step = 1e-3 }
     assert!(file.contains("\"states\":[\"balanced[1]\""), "{file}");
     let text = printed(&run(&["--error", "1%", "--method", "modal", "-o", "small.npz"]));
     assert!(text.contains("states reduced to"), "{text}");
+    let text = printed(&run(&["--order", "6", "--method", "craig-bampton", "-o", "small.json"]));
+    assert!(text.contains("states reduced to 6: small.json\nthe largest error at the frequencies"), "{text}");
+    let file = std::fs::read_to_string(directory.path().join("small.json")).unwrap();
+    assert!(file.contains("\"states\":[\"mode[1]\",\"mode[2]\",\"static[1]\",\"mode[1].rate\""), "{file}");
+    let output = run(&["--order", "1", "--method", "craig-bampton", "-o", "small.json"]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("ask for at least 2, or take --method balanced"));
     let output = run(&["--error", "2", "-o", "small.npz"]);
     assert!(String::from_utf8_lossy(&output.stderr).contains("a share between 0 and 1"));
 }

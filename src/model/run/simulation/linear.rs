@@ -14,6 +14,7 @@ use crate::solve::linearization::Linearization;
 use crate::solve::linearization::base::{BALANCED, Base};
 use crate::solve::linearization::independent::Selection;
 use crate::solve::linearization::poles::{self, MOST_STATES};
+use crate::solve::linearization::second_order::SecondOrder;
 use crate::solve::linearization::state_space::{Reduction, StateSpace};
 use crate::solve::linearization::steady::Frame;
 use crate::solve::step::response::Response;
@@ -260,6 +261,12 @@ impl Linear {
     /// How many states are values and rates of inputs that prescribe a motion.
     pub(super) fn integrators(&self) -> usize {
         self.states.len() - 2 * self.selection.chosen.len()
+    }
+
+    /// The equations of motion in the independent coordinates.
+    pub(super) fn second_order(&self, simulation: &Simulation, matrices: &StateSpace) -> Result<SecondOrder, Failure> {
+        let found = SecondOrder::new(simulation.system(), &self.base, &self.selection, matrices);
+        found.map_err(|error| failure(&error))
     }
 
     /// Whether nothing moves in the state that the system is about.

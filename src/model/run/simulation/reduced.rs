@@ -3,12 +3,23 @@
 use super::linear::{Linear, Pole, PoleKind, Signal, check_poles, not_found};
 use super::{Simulation, wrong};
 use crate::fmi::Failure;
-use crate::solve::linearization::responses;
 use crate::solve::linearization::state_space::StateSpace;
-use crate::solve::linearization::truncation::{self, Origin, Refusal, Truncated, Whole};
+use crate::solve::linearization::truncation::{self, Origin, Refusal, Rule, Truncated, Whole};
+use crate::solve::linearization::{component_modes, responses};
 
 pub use crate::solve::linearization::responses::Responses;
-pub use crate::solve::linearization::truncation::{Method, Size};
+pub use crate::solve::linearization::truncation::Size;
+
+/// How states are left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Those that inputs move and outputs see least.
+    Balanced,
+    /// Modes with the smallest peaks, whose static responses stay.
+    Modal,
+    /// All but the softest vibrations with prescribed motions held, and the static responses to inputs.
+    CraigBampton,
+}
 
 /// A linear system with fewer states.
 #[derive(Clone, Debug)]
@@ -35,30 +46,57 @@ impl Linear {
     pub fn reduce(&self, simulation: &Simulation, size: Size, method: Method) -> Result<Reduced, Failure> {
         let (states, whole) = (self.states.len(), self.whole(simulation, "a reduction")?);
         let zeros = whole.zeros;
-        let found = truncation::reduce(&whole, size, method);
+        let found = match method {
+            Method::Balanced => truncation::reduce(&whole, size, Rule::Balanced),
+            Method::Modal => truncation::reduce(&whole, size, Rule::Modal),
+            Method::CraigBampton => {
+                component_modes::reduce(&whole, &self.second_order(simulation, &whole.matrices)?, size)
+            }
+        };
         let Truncated { matrices, origins, kept, bound, error } = found.map_err(|refusal| match refusal {
             Refusal::NotFound => not_found(),
             Refusal::Kept(kept) => wrong(format!(
                 "{kept} states have poles that do not fade, and a reduction keeps them; ask for at least {kept} \
                  states, or give materials and joints their damping"
             )),
+            Refusal::Held(held) => wrong(format!(
+                "craig-bampton keeps the static responses to the inputs, poles that do not fade, and values and rates \
+                 of prescribed motions, which are {held} states here; ask for at least {held}, or take \
+                 --method balanced"
+            )),
+            Refusal::Asymmetric(share) => wrong(format!(
+                "craig-bampton needs a symmetric stiffness, and {share:.1e} of that about this state is not: loads \
+                 that follow the motion, efforts by readings, sliding friction and damping that rotates do this; take \
+                 --method balanced"
+            )),
         })?;
-        // Those at 0 have a block of their own, the first one.
-        let own: Vec<usize> = (zeros..matrices.a.rows).collect();
-        let rest = matrices.a.rows_of(&own).transposed().rows_of(&own).transposed();
+        let rest = match method {
+            // Those at 0 have a block of their own, the first one.
+            Method::Balanced | Method::Modal => {
+                let own: Vec<usize> = (zeros..matrices.a.rows).collect();
+                matrices.a.rows_of(&own).transposed().rows_of(&own).transposed()
+            }
+            Method::CraigBampton => {
+                let own = Whole { matrices: matrices.clone(), ..whole };
+                truncation::split(&own).map_err(|_| not_found())?.2.a
+            }
+        };
         let found = rest.eigenvectors().map_err(|_| not_found())?.into_iter().map(|(value, _)| [value.re, value.im]);
         let found = found.filter(|value| value[1] >= 0.0).map(pole);
         let mut poles: Vec<Pole> = vec![pole([0.0; 2]); zeros].into_iter().chain(found).collect();
         poles.sort_by(|a, b| a.natural_frequency().total_cmp(&b.natural_frequency()));
-        let mut numbers = [0; 2];
+        let mut numbers = [0; 5];
         let mut name = |origin: &Origin| {
-            let (number, word) = match *origin {
+            let (number, word, ending) = match *origin {
                 Origin::State(state) => return self.states[state].clone(),
-                Origin::Mode => (&mut numbers[0], "mode"),
-                Origin::Balanced => (&mut numbers[1], "balanced"),
+                Origin::Mode => (0, "mode", ""),
+                Origin::ModeRate => (1, "mode", ".rate"),
+                Origin::Static => (2, "static", ""),
+                Origin::StaticRate => (3, "static", ".rate"),
+                Origin::Balanced => (4, "balanced", ""),
             };
-            *number += 1;
-            Signal { name: format!("{word}[{number}]"), unit: String::new(), value: 0.0 }
+            numbers[number] += 1;
+            Signal { name: format!("{word}[{}]{ending}", numbers[number]), unit: String::new(), value: 0.0 }
         };
         let signals = origins.iter().map(&mut name).collect();
         let StateSpace { a, b, c, d } = matrices;
