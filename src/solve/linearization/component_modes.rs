@@ -11,8 +11,9 @@
 
 use super::modal::{Modes, norm, pairs};
 use super::second_order::{Rounded, SecondOrder, cleaned};
+use super::split::{Origin, Refusal, Whole, pivots, split};
 use super::state_space::StateSpace;
-use super::truncation::{Origin, Refusal, Size, Truncated, Whole, grid, pivots, split, units};
+use super::truncation::{Size, Truncated, grid, units};
 use crate::solve::linear::Singular;
 use crate::solve::linear::dense::{Complex, Dense};
 use crate::solve::modes::subspace::dot;

@@ -20,6 +20,7 @@ mod modal;
 pub mod poles;
 pub mod responses;
 pub mod second_order;
+pub mod split;
 pub mod state_space;
 pub mod steady;
 pub mod tracking;

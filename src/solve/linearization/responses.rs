@@ -4,7 +4,7 @@
 //! round-off in the response of soft ones.
 
 use super::modal::{Modes, pairs};
-use super::truncation::{Refusal, Whole, split};
+use super::split::{Refusal, Whole, split};
 use crate::solve::linear::dense::{Complex, Dense};
 use crate::solve::linear::eigen::Eigen;
 use nalgebra::DMatrix;

@@ -1,4 +1,4 @@
-//! The equations of motion in independent coordinates: `M ξ'' + D ξ' + K ξ` is what forces and prescribed motions make.
+//! The equations of motion in independent coordinates: `M ξ'' + D ξ' + K ξ` against forces and prescribed motions.
 //!
 //! Where nothing moves, the matrices are `Zᵀ M Z`, `Zᵀ D Z`, `Zᵀ K Z` of those of the mechanism, which keep their
 //! symmetry in each digit. Soft motions of stiff parts would lose it in products of `M` with accelerations, as which

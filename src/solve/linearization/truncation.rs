@@ -10,14 +10,10 @@
 
 use super::gramian::{factor, real};
 use super::modal::{Modes, norm, pairs};
+use super::split::{Origin, Refusal, Whole, split};
 use super::state_space::StateSpace;
-use crate::solve::linear::Singular;
-use crate::solve::linear::dense::{Complex, Dense, PivotedQr};
+use crate::solve::linear::dense::{Complex, Dense};
 
-/// Entries below this share of what cancels in them are 0 in the equations of poles at 0.
-const ROUND_OFF: f64 = 1e-9;
-/// Factor that makes states that integrate inputs the first ones of the pivots.
-const FIRST: f64 = 1e6;
 /// An output whose response is below this share of that of another one with the same unit has none.
 const SILENT: f64 = 1e-9;
 /// A mode with a smaller damping ratio hardly fades.
@@ -45,42 +41,6 @@ pub enum Size {
     Order(usize),
 }
 
-/// Why a system is not reduced.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Refusal {
-    /// Eigenvalues do not converge.
-    NotFound,
-    /// More states have poles that do not fade than are wanted.
-    Kept(usize),
-    /// More states have poles that do not fade, or are static responses, than are wanted.
-    Held(usize),
-    /// The stiffness has a part that is not symmetric, of this share.
-    Asymmetric(f64),
-}
-
-impl From<Singular> for Refusal {
-    fn from(_: Singular) -> Self {
-        Self::NotFound
-    }
-}
-
-/// A state of a reduced system.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin {
-    /// A state of the whole system, which a pole at 0 belongs to.
-    State(usize),
-    /// A coordinate of a mode.
-    Mode,
-    /// The rate of such a coordinate, where it is a state too.
-    ModeRate,
-    /// A coordinate of a static response.
-    Static,
-    /// Its rate.
-    StaticRate,
-    /// A balanced state.
-    Balanced,
-}
-
 /// A reduced system.
 #[derive(Clone, Debug)]
 pub struct Truncated {
@@ -95,21 +55,6 @@ pub struct Truncated {
     pub bound: Option<f64>,
     /// The largest error that the responses show, over the same.
     pub error: f64,
-}
-
-/// The system that is to be reduced.
-#[derive(Clone, Debug)]
-pub struct Whole {
-    /// Its matrices.
-    pub matrices: StateSpace,
-    /// Number of poles at 0.
-    pub zeros: usize,
-    /// The size of the first one that is not, rad/s.
-    pub slowest: f64,
-    /// Number of states, the last ones, that integrate inputs: poles at 0, too.
-    pub integrators: usize,
-    /// The number, for each output, of the first one with the same unit.
-    pub kinds: Vec<usize>,
 }
 
 /// Reduces `system`.
@@ -162,78 +107,6 @@ pub fn reduce(system: &Whole, size: Size, rule: Rule) -> Result<Truncated, Refus
     parts.push(own);
     let kept = if bound.is_some() { kept + exact } else { kept };
     Ok(Truncated { matrices: together(&parts, &own_d), origins: all, kept, bound, error })
-}
-
-/// The part of the poles at 0 in states of the whole system, with these, and the rest.
-pub fn split(system: &Whole) -> Result<(StateSpace, Vec<Origin>, StateSpace), Refusal> {
-    let Whole { matrices: whole, zeros, slowest, integrators, .. } = system;
-    let (StateSpace { a, b, c, d }, zeros) = (whole, *zeros);
-    let states = a.rows;
-    let none = Dense::zeros(d.rows, d.columns);
-    if zeros == 0 {
-        let fixed =
-            StateSpace { a: Dense::zeros(0, 0), b: Dense::zeros(0, b.columns), c: Dense::zeros(c.rows, 0), d: none };
-        return Ok((fixed, Vec::new(), whole.clone()));
-    }
-    let mut balanced = a.clone();
-    let scales = balanced.balance();
-    let mut right = balanced.space_near_zero(zeros, *slowest)?;
-    let mut left = balanced.transposed().space_near_zero(zeros, *slowest)?;
-    for number in 0..zeros {
-        right.column_mut(number).iter_mut().zip(&scales).for_each(|(value, scale)| *value *= scale);
-        left.column_mut(number).iter_mut().zip(&scales).for_each(|(value, scale)| *value /= scale);
-    }
-    // A unit of one of these states at a time.
-    let mut preferred = right.clone();
-    for number in 0..zeros {
-        preferred.column_mut(number)[states - integrators..].iter_mut().for_each(|value| *value *= FIRST);
-    }
-    let held = pivots(&preferred);
-    let right = right.transposed();
-    let right = right.rows_of(&(0..zeros).collect::<Vec<_>>()).transposed();
-    let right = right.rows_of(&held).transposed().solve(&right.transposed()).transposed();
-    let left = left.transposed().product(&right).solve(&left.transposed());
-    let mut own = a.rows_of(&held).product(&right);
-    for (row, held) in held.iter().enumerate() {
-        for column in 0..zeros {
-            let canceled: f64 = (0..states).map(|state| (a.at(*held, state) * right.at(state, column)).abs()).sum();
-            let value = &mut own.column_mut(column)[row];
-            if value.abs() <= ROUND_OFF * canceled {
-                *value = 0.0;
-            }
-        }
-    }
-    let fixed = StateSpace { a: own, b: left.product(b), c: c.product(&right), d: none };
-
-    // The rest: what the left vectors do not see, told by the states that they see least.
-    let seen = pivots(&left.transposed());
-    let others: Vec<usize> = (0..states).filter(|state| !seen.contains(state)).collect();
-    let transposed = left.transposed();
-    let shares = transposed.rows_of(&seen).transposed().solve(&transposed.rows_of(&others).transposed());
-    let mut basis = Dense::zeros(states, others.len());
-    for (column, state) in others.iter().enumerate() {
-        basis.column_mut(column)[*state] = 1.0;
-        for (row, dependent) in seen.iter().enumerate() {
-            basis.column_mut(column)[*dependent] = -shares.at(row, column);
-        }
-    }
-    let mut moved = b.clone();
-    let common = right.product(&fixed.b);
-    moved.values.iter_mut().zip(&common.values).for_each(|(own, common)| *own -= common);
-    let rest = StateSpace {
-        a: a.rows_of(&others).product(&basis),
-        b: moved.rows_of(&others),
-        c: c.product(&basis),
-        d: d.clone(),
-    };
-    Ok((fixed, held.into_iter().map(Origin::State).collect(), rest))
-}
-
-/// The rows that tell the columns of `matrix` best, ascending.
-pub(super) fn pivots(matrix: &Dense) -> Vec<usize> {
-    let mut rows = PivotedQr::new(matrix.transposed(), 0.0).order[..matrix.columns].to_vec();
-    rows.sort_unstable();
-    rows
 }
 
 /// Frequencies at which responses are compared, rad/s.

@@ -3,8 +3,9 @@
 use super::linear::{Linear, Pole, PoleKind, Signal, check_poles, not_found};
 use super::{Simulation, wrong};
 use crate::fmi::Failure;
+use crate::solve::linearization::split::{Origin, Refusal, Whole, split};
 use crate::solve::linearization::state_space::StateSpace;
-use crate::solve::linearization::truncation::{self, Origin, Refusal, Rule, Truncated, Whole};
+use crate::solve::linearization::truncation::{self, Rule, Truncated};
 use crate::solve::linearization::{component_modes, responses};
 
 pub use crate::solve::linearization::responses::Responses;
@@ -78,7 +79,7 @@ impl Linear {
             }
             Method::CraigBampton => {
                 let own = Whole { matrices: matrices.clone(), ..whole };
-                truncation::split(&own).map_err(|_| not_found())?.2.a
+                split(&own).map_err(|_| not_found())?.2.a
             }
         };
         let found = rest.eigenvectors().map_err(|_| not_found())?.into_iter().map(|(value, _)| [value.re, value.im]);
