@@ -214,4 +214,10 @@ fn soft_motions_of_stiff_parts_keep_their_digits() {
         println!("{omega} rad/s: {full} {own}");
         assert!((full - own).norm() < 1e-4 * full.norm(), "{omega}: {full} {own}");
     }
+
+    // Without gravity the rope of the crane takes no load across it.
+    let model = load(include_str!("../../../models/crane.toml"), &[("model.gravity", "[0, 0, 0]")]);
+    let whole = model.linearize(None, None).unwrap();
+    let message = whole.reduce(&model, Size::Order(60), Method::CraigBampton).unwrap_err().message;
+    assert!(message.contains("its error is not known") && message.contains("--method balanced"), "{message}");
 }

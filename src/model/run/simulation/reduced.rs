@@ -71,6 +71,11 @@ impl Linear {
                  --method balanced"
             )),
         })?;
+        if error.is_infinite() {
+            let message = "motions that do not fade are others in the reduced system, and its error is not known; give \
+                           motions that take no load a stiffness, or take --method balanced";
+            return Err(wrong(message.to_owned()));
+        }
         let rest = match method {
             // Those at 0 have a block of their own, the first one.
             Method::Balanced | Method::Modal => {
