@@ -17,11 +17,13 @@ import numpy as np
 import pandas
 import pytest
 import xarray
+from ancf14._study.points import points
 from ancf14._study.reducers import reduced
 from ancf14._study.work import Recipe, chunk
 from dask.distributed import Client, LocalCluster
 
 from conftest import MODELS
+from test_runs import PUSHED
 
 SWING = """
 format = 1
@@ -207,7 +209,47 @@ def test_warnings_of_the_solver_are_kept() -> None:
     assert short == "" and "simulation.step = 0.05 s" in long
 
 
-def told_of(model: ancf14.Model, parameters: dict[str, Any], stop: float) -> list[str]:
+def test_the_middle_of_a_grid_is_that_of_each_dimension() -> None:
+    grid = points({"a": [0, 1, 2, 3], "b": [0, 1, 2], "c": [5]})
+    assert grid.parameters(grid.middle()) == {"a": 2, "b": 1, "c": 5}
+    samples = points([{"a": 0}, {"a": 1}, {"a": 2}])
+    assert samples.middle() == 1
+
+
+def test_a_middle_point_at_rest_finds_nothing() -> None:
+    """A load from -F to F: in the middle nothing moves, and the first point finds the mesh."""
+    text = (MODELS / "cantilever.toml").read_text().replace("elements = 8\n", "").replace("step = 1e-3\n", "").replace("-9.81", '"-g"')
+    model = ancf14.Model.from_string(text + "[parameters]\ng = 9.81\n")
+    study = model.sweep({"g": [-400.0, 0.0, 400.0]}, ["tip.velocity"], stop=0.5)
+    assert study.attrs["accuracy"] == model.run({"g": -400.0}, stop=0.5).accuracy
+
+
+def test_copies_that_a_point_lacks_have_no_mesh() -> None:
+    text = """
+format = 1
+model = { name = "Comb", gravity = [0, 0, -9.81] }
+parameters = { teeth = 3 }
+material.steel = { young = 2.1e11, poisson = 0.3, density = 7850 }
+section.round = { shape = "circle", radius = 0.005 }
+copy.all.count = "teeth"
+copy.all.beam.tooth = { material = "steel", section = "round", from = [0, "k", 0], to = [1, "k", 0] }
+copy.all.joint.root = { type = "weld", a = "ground", b = "tooth.start" }
+output.tip = { at = "tooth[1].end", quantities = ["displacement"] }
+simulation = { analysis = "static", stop = 1, step = 0.5 }
+"""
+    model = ancf14.Model.from_string(text)
+    for outputs in (["tip.displacement"], {"all": lambda r: r["tip.displacement"]}):
+        study = model.sweep({"teeth": [1, 2, 3]}, outputs)
+        assert (study["error"] == "").all() and study.attrs["settings"].count("elements") == 2, study
+
+
+def test_tables_have_one_shape() -> None:
+    text = PUSHED.replace("output.tip", 'output.line = { on = "arm", stations = 3, quantities = ["displacement"] }\noutput.tip')
+    study = ancf14.Model.from_string(text).sweep([{"line.stations": 3}, {"line.stations": 5}], ["line.displacement:last"])
+    assert study["error"].values[0] == "" and "one shape in all runs" in study["error"].values[1]
+
+
+def told_of(model: ancf14.Model, parameters: dict[str, Any], stop: float | None) -> list[str]:
     """The warnings of a single run."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -223,24 +265,39 @@ def told_of(model: ancf14.Model, parameters: dict[str, Any], stop: float) -> lis
         ("arm.strain", ["small", "large", "small"]),
         ("strip.height", [0.005, "strip.width/4", 0.006]),
         ("simulation.step", [1e-3, 2e-3, 1e-3]),
+        ("end", [0.02, 0.03, 0.01]),
+        ("turn", [0.0, 3.0, 0.5]),
     ],
 )
 def test_points_do_not_depend_on_those_before_them(key: str, values: list[Any]) -> None:
     """Points of a chunk share an instance where they can: each has the bits and the warnings of a run of its own, also behind one that fails."""
-    model = ancf14.Model(MODELS / "cantilever.toml")
+    text = (MODELS / "cantilever.toml").read_text()
+    settings: dict[str, Any] = {"stop": 0.02}
+    if key == "end":
+        # The end of the run is a number of the file.
+        text, settings = text.replace("stop = 1.0", 'stop = "end"') + "[parameters]\nend = 0.02\n", {}
+    elif key == "turn":
+        # So is the mesh.
+        text = text.replace("elements = 8", 'pretwist = "turn"') + "[parameters]\nturn = 0.0\n"
+    elif key == "simulation.step":
+        # And the rows.
+        text = text.replace("output_step = 5e-3", "")
+    model = ancf14.Model.from_string(text)
     samples = [{key: value} for value in values]
-    recipe = Recipe(model, reduced(["tip.velocity"], model.outputs), {"stop": 0.02})
+    recipe = Recipe(model, reduced(["tip.velocity:min", "tip.velocity:rms"], model.outputs), settings)
     done = chunk(recipe, range(len(samples)), samples)
     for number, sample in enumerate(samples):
         try:
-            own = model.run(sample, stop=0.02, refine=False)
+            own = model.run(sample, stop=settings.get("stop"), refine=False)
         except ancf14.Error as reason:
             assert done.errors[number] == str(reason) and done.values[number] is None
             continue
         found = done.values[number]
         assert done.errors[number] == "" and found is not None
-        assert found[0].tobytes() == own["tip.velocity"].tobytes()
-        notes = [text for text in told_of(model, sample, 0.02) if "is off by" not in text and "the error of" not in text]
+        series = own["tip.velocity"]
+        assert found[0].tobytes() == series.min(axis=0).tobytes()
+        assert found[1].tobytes() == np.sqrt(np.mean(np.square(series), axis=0)).tobytes()
+        notes = [text for text in told_of(model, sample, settings.get("stop")) if "is off by" not in text and "the error of" not in text]
         assert [text for text in done.warnings[number].splitlines() if "is off by" not in text and "the error of" not in text] == notes
     assert any("unusually light" in text for text in done.warnings) or key != "steel.density"
 

@@ -25,6 +25,7 @@ mod output;
 mod picture;
 mod progress;
 mod reduce;
+mod repeat;
 mod rows;
 mod run;
 mod shell;
@@ -437,11 +438,7 @@ fn execute(command: Command, program: Option<&Path>) -> Result<(), Stop> {
             let (other, modes) = (other.as_deref(), modes.map(modes::count_or_default));
             view::view(view::Order { model: &model, other, output, modes, live, no_refine, program })
         }
-        Command::Export { model, vtk, every, no_refine } => {
-            let load = || model.load().map(|(simulation, _)| simulation);
-            let simulation = if no_refine { load()? } else { tune::finest(load)? };
-            vtk::export(simulation, &vtk, every, &[model.input()])
-        }
+        Command::Export { model, vtk, every, no_refine } => vtk::export(&model, &vtk, every, no_refine),
         Command::Pack { file, files, output, fmi, library, no_refine, inputs, binaries } => {
             let libraries = export::Libraries { own: library.as_deref(), others: binaries, program };
             let meshes = export::Meshes { no_refine, inputs: inputs.as_deref() };

@@ -6,9 +6,8 @@ use super::output::{self, Input};
 use super::progress::{self, bar};
 use super::{INPUTS, MODEL_FILE, Stop, background, complain, is_piped, load, name, say};
 use ancf14::fmi::{Failure, Model};
-use ancf14::model::entries::simulation::Steps;
 use ancf14::model::file::{self, Folder, Reach};
-use ancf14::model::refinement::{Found, Outcome, Refinement, is_repeated};
+use ancf14::model::refinement::{Found, Outcome, Refinement};
 use ancf14::model::rows;
 use ancf14::model::run::accuracy::{Differences, Inexact};
 use ancf14::model::simulation::Simulation;
@@ -50,28 +49,6 @@ pub fn search(mut simulation: Simulation, inputs: Option<&Path>, budget: Option<
     }
     let (found, outcome) = (refinement.found(&last), refinement.outcome(&last));
     Ok(Some(Search { last, rows, found, outcome }))
-}
-
-/// The model that `load` reads, not initialized, whose motion takes the steps and meshes of its most accurate run. A
-/// model that fails, or whose file gives both, is as it was loaded.
-///
-/// # Errors
-/// The file cannot be read, or a signal came.
-pub fn finest(load: impl Fn() -> Result<Simulation, Stop>) -> Result<Simulation, Stop> {
-    let simulation = load()?;
-    if !is_repeated(simulation.document()) {
-        return Ok(simulation);
-    }
-    let Search { last, outcome, .. } = match search(simulation, None, None) {
-        Ok(Some(search)) => search,
-        Ok(None) | Err(Stop::Failed(_)) => return load(),
-        Err(stop) => return Err(stop),
-    };
-    say(&outcome.line())?;
-    outcome.warning().iter().for_each(|warning| complain(&format!("warning: {warning}")));
-    let is_free = matches!(last.document().simulation.steps, Steps::ForAccuracy(_)) && last.step_lengths().is_some();
-    let same = last.repeated(Vec::new(), is_free.then_some(1));
-    same.map_err(|failure| Stop::Failed(format!("error: {}", failure.message)))
 }
 
 /// Runs to the end, and shows all rows to `look`; returns them.

@@ -1,15 +1,13 @@
 //! `view`: simulates as `run` does, and writes one HTML file that shows the mechanism move; two runs of it too, of
 //! which one may be that of another page.
 
-use super::advance::advance;
 use super::output::{self, Input};
 use super::progress::last_row;
+use super::repeat::{self, Seen, repeat};
 use super::run::VIEW;
-use super::{
-    MODEL_FILE, ModelArguments, Stop, background, complain, failed, live, load, name, say, start, stem, unwritten,
-};
+use super::{MODEL_FILE, ModelArguments, Stop, complain, failed, live, load, name, say, stem, unwritten};
 use ancf14::fmi::Model;
-use ancf14::model::refinement::{Refinement, is_repeated};
+use ancf14::model::run::levels;
 use ancf14::model::simulation::Simulation;
 use ancf14_view::{Film, Live, Second, Shown, ended_early, html};
 use std::ffi::OsString;
@@ -77,8 +75,8 @@ pub fn view(order: Order<'_>) -> Result<(), Stop> {
         _ => None,
     };
     let (run, found, mut outcome) = opened.shown(modes, !no_refine)?;
-    if let (Some(live), Some(found)) = (&mut live, found) {
-        live.text = found;
+    if let Some(live) = &mut live {
+        live.overrides = levels::merged(&live.overrides, found);
     }
     let mut compared = None;
     if let (Some(other), Some(second)) = (&other, second) {
@@ -178,15 +176,16 @@ impl<'a> Source<'a> {
     }
 }
 
-/// A run, the text of its model with the steps and meshes that were found, and how it has ended.
-type Seen = (Shown, Option<String>, Result<(), Stop>);
+/// A run, the steps and meshes that were found for it, and how it has ended.
+type Run = (Shown, Vec<(String, String)>, Result<(), Stop>);
 
 impl Opened {
     /// The run, simulated if it is that of a model.
-    fn shown(self, modes: Option<u16>, refines: bool) -> Result<Seen, Stop> {
+    fn shown(self, modes: Option<u16>, refines: bool) -> Result<Run, Stop> {
         match self {
-            Self::Page(run) => Ok((run, None, Ok(()))),
+            Self::Page(run) => Ok((run, Vec::new(), Ok(()))),
             Self::Model(simulation, _) => {
+                let refines = refines && repeat::refines(&simulation);
                 let Filmed { film, outcome, found } = filmed(*simulation, modes, refines, |_| Ok(()))?;
                 Ok((film.shown().map_err(|reason| unwritten(&reason))?, found, outcome))
             }
@@ -220,91 +219,36 @@ pub struct Filmed {
     pub film: Film,
     /// How it has ended.
     pub outcome: Result<(), Stop>,
-    /// The text of the model without copies and includes, with the steps and meshes of that run; none: as in the file.
-    pub found: Option<String>,
+    /// The steps and meshes of that run, as overrides; empty: those of the file.
+    pub found: Vec<(String, String)>,
 }
 
-/// Films a simulation, and where it `refines` what its file leaves to the program, again with finer steps and meshes
-/// until the results are accurate. `look` is told the share of the rows of a run that are done.
+/// Films a simulation, and again until it is accurate if it `refines`. `look` is told the share of the rows of a run that
+/// are done.
 pub fn filmed(
-    mut simulation: Simulation,
+    simulation: Simulation,
     modes: Option<u16>,
     refines: bool,
     mut look: impl FnMut(f64) -> Result<(), Stop>,
 ) -> Result<Filmed, Stop> {
     let last_row = last_row(&simulation)?;
-    let mut refinement = if refines && is_repeated(simulation.document()) {
-        simulation.ask_for_mesh_error(background::start);
-        Refinement::of(&mut simulation, None)
-    } else {
-        None
-    };
-    start(&mut simulation)?;
-    let mut held = Vec::new();
-    let mut film = opening(&simulation, last_row, modes, &mut held)?;
-    let holds = refinement.is_some();
-    let mut outcome = run(&mut simulation, last_row, (&mut film, refinement.as_mut()), &mut held, holds, &mut look);
-    let mut found = None;
-    if let Some(refinement) = refinement.as_mut().filter(|_| outcome.is_ok()) {
-        while let Some(mut next) = refinement.judge(&simulation) {
-            let begin = next.about().start;
-            let begun = next.initialize(begin).map_err(|failure| failed(&next, &failure));
-            next.take_warnings();
-            let mut own = Vec::new();
-            let ended = begun.and_then(|()| opening(&next, last_row, modes, &mut own)).and_then(|mut film| {
-                run(&mut next, last_row, (&mut film, Some(&mut *refinement)), &mut own, true, &mut look)?;
-                Ok(film)
-            });
-            match ended {
-                Ok(next_film) => (simulation, film, held) = (*next, next_film, own),
-                Err(Stop::Failed(reason)) => refinement.fail(reason),
-                Err(stop) => {
-                    outcome = Err(stop);
-                    break;
-                }
-            }
+    let begin = |simulation: &Simulation, held: &mut Vec<String>| {
+        let mut film = Film::new(simulation, last_row);
+        if let Some(count) = modes {
+            let found = simulation.judged_modes(usize::from(count)).map_err(|failure| failed(simulation, &failure))?;
+            film.add_modes(simulation, &found);
+            held.extend(found.warnings);
         }
-        let told = refinement.outcome(&simulation);
-        held.extend(told.warning());
-        say(&told.line())?;
-        found = refinement.found(&simulation).written_flat(simulation.document()).ok();
-    }
-    held.iter().for_each(|warning| complain(&format!("warning: {warning}")));
+        Ok(film)
+    };
+    let row = |film: &mut Film, row: u64, simulation: &Simulation| {
+        film.look(row, simulation);
+        look(row as f64 / last_row as f64)
+    };
+    let Seen { simulation, look: mut film, outcome, found, .. } = repeat(simulation, refines, begin, row)?;
     if let Err(Stop::Failed(message)) = &outcome {
         film.note(&ended_early(simulation.time(), message));
     }
+    let found = found.map_or_else(Vec::new, |found| found.overrides());
     Ok(Filmed { film, outcome, found })
-}
-
-/// The film of a simulation at its start. Warnings about modes are `held`.
-fn opening(simulation: &Simulation, last_row: u64, modes: Option<u16>, held: &mut Vec<String>) -> Result<Film, Stop> {
-    let mut film = Film::new(simulation, last_row);
-    film.look(0, simulation);
-    if let Some(count) = modes {
-        let found = simulation.judged_modes(usize::from(count)).map_err(|failure| failed(simulation, &failure))?;
-        film.add_modes(simulation, &found);
-        held.extend(found.warnings);
-    }
-    Ok(film)
-}
-
-/// Advances to the end, and films each row; where it `holds` warnings, they are in `held`.
-fn run(
-    simulation: &mut Simulation,
-    last_row: u64,
-    (film, mut refinement): (&mut Film, Option<&mut Refinement>),
-    held: &mut Vec<String>,
-    holds: bool,
-    look: &mut impl FnMut(f64) -> Result<(), Stop>,
-) -> Result<(), Stop> {
-    if let Some(refinement) = &mut refinement {
-        refinement.look(simulation);
-    }
-    advance(simulation, last_row, holds.then_some(held), |row, simulation| {
-        film.look(row, simulation);
-        if let Some(refinement) = &mut refinement {
-            refinement.look(simulation);
-        }
-        look(row as f64 / last_row as f64)
-    })
 }

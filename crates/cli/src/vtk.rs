@@ -1,10 +1,9 @@
 //! `export`: simulates as `run` does, and writes files that ParaView and PyVista read.
 
-use super::advance::advance;
 use super::folder::Folder;
-use super::output::Input;
 use super::progress::last_row;
-use super::{Stop, say, start};
+use super::repeat::{self, Seen, repeat};
+use super::{ModelArguments, Stop, say};
 use ancf14::fmi::Model;
 use ancf14::model::simulation::Simulation;
 use ancf14_vtk::{Export, File};
@@ -19,13 +18,9 @@ const MOST: u64 = 10_000;
 const PACE: Duration = Duration::from_secs(1);
 
 /// Simulates and writes one row in `every`, and the last one, into the folder `directory`; none: each row of at most
-/// [`MOST`].
-pub fn export(
-    mut simulation: Simulation,
-    directory: &Path,
-    every: Option<u64>,
-    inputs: &[Input<'_>],
-) -> Result<(), Stop> {
+/// [`MOST`]. Runs that are repeated with finer steps and meshes write one after the other.
+pub fn export(model: &ModelArguments, directory: &Path, every: Option<u64>, no_refine: bool) -> Result<(), Stop> {
+    let (simulation, _) = model.load()?;
     let last_row = last_row(&simulation)?;
     if every.is_none() && last_row >= MOST {
         let (rows, enough) = (last_row + 1, last_row.div_ceil(MOST - 1));
@@ -35,13 +30,12 @@ pub fn export(
     }
     let every = every.unwrap_or(1);
     let instants = last_row.div_ceil(every) + 1;
-    let mut export = Export::new(&simulation, instants);
-    let Some(first) = export.parts().first().copied() else {
+    let drawn = Export::new(&simulation, instants);
+    let Some(first) = drawn.parts().first().copied() else {
         return Err(Stop::Bad("error: the model has no beam, no body and nothing else to show".to_owned()));
     };
     let mut folder = Folder::open(directory)?;
-    folder.claim("export", &simulation.about().guid, &export.names(instants), inputs)?;
-    start(&mut simulation)?;
+    folder.claim("export", &simulation.about().guid, &drawn.names(instants), &[model.input()])?;
     // Each file replaces the one before as a whole, so that the lists are readable whenever a run is interrupted.
     let write = |files: Vec<File>| {
         files.into_iter().try_fold(0, |bytes, (name, content)| {
@@ -49,20 +43,24 @@ pub fn export(
             Ok(bytes + content.len())
         })
     };
-    let mut bytes = write(export.look(&simulation))?;
-    write(export.lists())?;
-    let mut listed = Instant::now();
-    let outcome = advance(&mut simulation, last_row, None, |row, simulation| {
-        let is_due = row.is_multiple_of(every) || row == last_row;
-        if is_due {
-            bytes += write(export.look(simulation))?;
-            if listed.elapsed() >= PACE {
-                write(export.lists())?;
-                listed = Instant::now();
+    let begin = |simulation: &Simulation, _: &mut Vec<String>| Ok(Writing::of(Export::new(simulation, instants)));
+    let mut look = |own: &mut Writing, row: u64, simulation: &Simulation| {
+        if row.is_multiple_of(every) || row == last_row {
+            own.bytes += write(own.export.look(simulation))?;
+            if row == 0 || own.listed.elapsed() >= PACE {
+                write(own.export.lists())?;
+                own.listed = Instant::now();
             }
         }
         Ok(())
-    });
+    };
+    let refines = !no_refine && repeat::refines(&simulation);
+    let mut seen = repeat(simulation, refines, begin, &mut look)?;
+    if seen.is_torn {
+        say("a finer run has failed: the files are those of the first run")?;
+        seen = repeat(model.load()?.0, false, begin, &mut look)?;
+    }
+    let Seen { look: Writing { export, mut bytes, .. }, outcome, .. } = seen;
     // A run that fails can be looked at up to the failure.
     let listed = write(export.lists());
     outcome?;
@@ -70,6 +68,21 @@ pub fn export(
     let (parts, count, megabytes) = (export.parts().join(", "), export.instants(), bytes as f64 / 1e6);
     let list = directory.join(format!("{first}.pvd"));
     say(&format!("{count} instants of {parts}, {megabytes:.2} MB: open {} in ParaView", list.display()))
+}
+
+/// The files of a run.
+struct Writing {
+    export: Export,
+    /// How long they are.
+    bytes: usize,
+    /// When the lists were written.
+    listed: Instant,
+}
+
+impl Writing {
+    fn of(export: Export) -> Self {
+        Self { export, bytes: 0, listed: Instant::now() }
+    }
 }
 
 /// `--every`: a whole number.

@@ -290,7 +290,7 @@ class Model:
         ModelError is raised. ``store`` names a folder, a Zarr group: what is in it is not computed again, so that a study goes on where it ended.
         ``progress`` is True for a bar (needs tqdm), or a function of the numbers of known and of all points.
 
-        Where the model file leaves the steps or the elements of a beam to the program, the point in the middle runs again with finer steps and meshes until
+        Where the model file leaves the steps or the elements of a beam to the program, the point in the middle of each dimension runs again with finer steps and meshes until
         the results that are kept are accurate, as in ``run``. All points then run once with its numbers, which are in ``attrs["settings"]``: one
         discretization makes smooth responses. ``refine="each"`` finds them for each point, ``refine=True`` also where the file has an ``accuracy``, and
         ``refine=False`` runs all points as the file begins. ``budget`` bounds the cost of the search, as in ``run``.
@@ -418,7 +418,8 @@ class Model:
         simulation = self._open()
         searches = refine and simulation.leaves_mesh()
         if inputs is not None and not searches:
-            raise CallError("inputs are for finding the elements of beams, and here these are given; leave out inputs")
+            reason = "the model file gives them all" if refine else "refine=False keeps the first ones"
+            raise CallError(f"inputs are for finding the elements of beams, but {reason}; leave out inputs")
         source = self._tuned(inputs) if searches else None
         if source is not None:
             with raising():

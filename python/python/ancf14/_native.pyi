@@ -69,6 +69,9 @@ class Simulation:
 
 def command(arguments: list[str], program: str) -> int: ...
 def study(
-    source: tuple[str, str, str | None, bool], points: list[list[tuple[str, str]]], wanted: list[str], judged: list[str]
+    source: tuple[str, str, str | None, bool],
+    points: list[list[tuple[str, str]]],
+    columns: tuple[list[str], list[tuple[str, int]]],
+    judged: list[str],
 ) -> list[tuple[str | None, list[str], bytes, bytes]]: ...
 def table(times: list[float], columns: list[tuple[str, bool, list[float]]]) -> str: ...

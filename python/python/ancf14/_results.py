@@ -92,7 +92,7 @@ class Results(Mapping[str, Array]):
     """The range over time of each quantity along a beam whose output has ``summary = "range"``, by its name."""
 
     settings: dict[str, str]
-    """The numbers with which a single run is as accurate, changes of the model file by key; empty where the run was not repeated."""
+    """The numbers with which a single run is as accurate, changes of the model file by key; empty where the file gives all of them."""
     accuracy: str
     """How many runs it took and the accuracy that is reached, a line; empty where the file leaves neither steps nor elements to the program."""
 

@@ -30,8 +30,13 @@ impl Outcome {
     /// The results that did not reach the accuracy, in a sentence, of a single run too; none: all did, or nearly.
     pub fn shortfall(&self) -> Option<String> {
         let worst = self.worst.as_ref().filter(|worst| self.end != End::Reached && worst.excess() > WARNED)?;
-        let off =
-            || format!("{} is off by {} of its range, and the budget has no further run", worst.name, worst.size());
+        let off = || {
+            let reason = match &self.end {
+                End::Failed(reason) => format!("a finer run failed ({reason})"),
+                _ => String::from("a further run would exceed the budget"),
+            };
+            format!("{} is off by {} of its range: {reason}", worst.name, worst.size())
+        };
         Some(self.warning().unwrap_or_else(off))
     }
 

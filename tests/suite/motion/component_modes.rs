@@ -219,5 +219,5 @@ fn soft_motions_of_stiff_parts_keep_their_digits() {
     let model = load(include_str!("../../../models/crane.toml"), &[("model.gravity", "[0, 0, 0]")]);
     let whole = model.linearize(None, None).unwrap();
     let message = whole.reduce(&model, Size::Order(60), Method::CraigBampton).unwrap_err().message;
-    assert!(message.contains("its error is not known") && message.contains("--method balanced"), "{message}");
+    assert!(message.contains("other undamped motions") && message.contains("--method balanced"), "{message}");
 }

@@ -29,6 +29,13 @@ class Points:
     def __len__(self) -> int:
         return len(self.values)
 
+    def middle(self) -> int:
+        """Return the number of the run in the middle: of a grid, in the middle of each dimension."""
+        number = 0
+        for count in self.shape:
+            number = number * count + count // 2
+        return number
+
     def parameters(self, number: int) -> dict[str, Any]:
         """Return the changed parameters of a run."""
         return dict(zip(self.names, self.values[number], strict=True))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-from .._errors import Error, warn
+from .._errors import Error
 from .points import Points
 from .work import Recipe
 
@@ -26,16 +26,17 @@ class Found:
 
 
 def find(recipe: Recipe, points: Points, refinement: Refinement) -> Found:
-    """Run the point in the middle until the results that are kept are accurate; where it fails, the first or the last one."""
+    """Run the point in the middle until the results that are kept are accurate; where it fails or is at rest, the first or the last one."""
     refine, budget = refinement
     if refine is False or refine == "each":
         return Found()
-    for number in dict.fromkeys((len(points) // 2, 0, len(points) - 1)):
+    found = Found()
+    for number in dict.fromkeys((points.middle(), 0, len(points) - 1)):
         parameters = points.parameters(number)
         try:
             # Otherwise the run would find nothing.
             if refine is None and not recipe.model._open(recipe.model._changes(parameters)).is_repeated():
-                continue
+                return found
             results = recipe.model._run(
                 parameters, told=[], judged=recipe.judged(), mesh_error=True, refine=refine, budget=budget, **recipe.settings
             )
@@ -43,9 +44,8 @@ def find(recipe: Recipe, points: Points, refinement: Refinement) -> Found:
             # The study has its message.
             continue
         if results._found is None:
-            continue
-        warning = results._found[2]
-        if warning:
-            warn([f"the settings of the study, found at its middle point, are not fine enough: {warning}"])
-        return Found(results.settings, results.accuracy, warning or "")
-    return Found()
+            return found
+        found = Found(results.settings, results.accuracy, results._found[2] or "")
+        if not found.accuracy.endswith("nothing to judge"):
+            return found
+    return found

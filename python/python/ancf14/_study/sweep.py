@@ -12,7 +12,7 @@ from dataclasses import replace
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from .._errors import CallError, Error, Interrupted, RunError, missing
+from .._errors import CallError, Error, Interrupted, RunError, missing, warn
 from .points import Points, Space, points
 from .reducers import Outputs, reduced
 from .settings import Refinement, find
@@ -67,6 +67,8 @@ def sweep(
             if table.found is None:
                 table.keep(find(recipe, wanted, refinement))
             assert table.found is not None
+            if table.found.warning:
+                warn([f"the settings of the study, found at its middle point, are not fine enough: {table.found.warning}"])
             recipe = replace(recipe, found=table.found.settings)
             for done in _chunks(recipe, wanted, table.missing(), executor or pool):
                 table.put(done)

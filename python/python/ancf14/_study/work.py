@@ -10,12 +10,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _native
-from .._errors import CallError, raising
+from .._errors import CallError, ModelError, raising
 from .._names import Components
 from .reducers import Array, Reduced
 
 if TYPE_CHECKING:
     from .._model import Model
+
+
+SLICE = 64
+"""The solver runs so many points before their rows are reduced: all rows of a chunk might not fit into memory."""
 
 
 @dataclass(frozen=True)
@@ -28,6 +32,23 @@ class Recipe:
     """Keyword arguments of ``Model.run``."""
     found: dict[str, str] = field(default_factory=dict)
     """Steps and meshes of all points, as parameters of ``Model.run``; those of a point come before them."""
+
+    def parameters(self, point: dict[str, Any]) -> dict[str, Any]:
+        """Return the parameters of a point, before which the steps and meshes of the study step back."""
+        given = [*point, *(key for key, _ in self.model._overrides)]
+        found = {key: value for key, value in self.found.items() if not any(own == key or own.endswith("." + key) for own in given)}
+        return {**found, **point}
+
+    def fitting(self, point: dict[str, Any]) -> dict[str, Any]:
+        """Return the parameters of a point without the meshes of beams that it lacks, as copies."""
+        try:
+            variables = self.model._open(self.model._changes(point)).variables()
+        except ModelError:
+            return self.parameters(point)
+        meshed = {name.removesuffix(".elements") for name, *_ in variables if name.endswith(".elements")}
+        own = self.parameters(point)
+        lacks = [key for key in self.found if key not in point and not key.startswith("simulation.") and key.rpartition(".")[0] not in meshed]
+        return {key: value for key, value in own.items() if key not in lacks}
 
     def is_plain(self) -> bool:
         """Return whether only columns are kept, of runs that are not repeated and have no inputs."""
@@ -112,31 +133,50 @@ def _run_all(recipe: Recipe, points: Sequence[dict[str, Any]], done: Done) -> No
     model = recipe.model
     components = Components(model.outputs)
     named = [output.column for output in recipe.outputs if output.column is not None]
+    bases = [name for name in named if name not in model.outputs]
     own = [[name] if name in model.outputs else list(components.names(name).values()) for name in named]
     wanted = list(dict.fromkeys(name for names in own for name in names))
+    shapes = [(base, len(components.names(base))) for base in dict.fromkeys(bases)]
     columns = _Columns({name: number for number, name in enumerate(wanted)}, components)
     ends = model._ends(recipe.settings.get("stop"), recipe.settings.get("output_step"))
-    changes = [list(dict([*model._overrides, *model._changes({**recipe.found, **point}), *ends]).items()) for point in points]
-    with raising():
-        found = _native.study(model._source, changes, wanted, recipe.judged() or [])
-    for error, warnings, times, values in found:
-        done.errors.append(error or "")
-        # Those about the file were issued when it was loaded.
-        done.warnings.append("\n".join(warning for warning in warnings if warning not in model._notes))
-        if error is not None:
-            done.values.append(None)
-            continue
-        columns.fill(times, values)
-        done.values.append([output.of(columns) for output in recipe.outputs])
-        if any(output.is_series for output in recipe.outputs):
-            if done.times is None:
-                done.times = columns.time.copy()
-            expect_same(done.times, columns.time)
+
+    def run(parameters: Sequence[dict[str, Any]]) -> list[Any]:
+        changes = [list(dict([*model._overrides, *model._changes(own), *ends]).items()) for own in parameters]
+        with raising():
+            return _native.study(model._source, changes, (wanted, shapes), recipe.judged() or [])
+
+    for first in range(0, len(points), SLICE):
+        own_points = points[first : first + SLICE]
+        for point, found in zip(own_points, run([recipe.parameters(point) for point in own_points]), strict=True):
+            if found[0] is not None and recipe.found:
+                # Copies of the middle point may be missing here.
+                fitting = recipe.fitting(point)
+                if fitting != recipe.parameters(point):
+                    (found,) = run([fitting])
+            error, warnings, times, values = found
+            done.errors.append(error or "")
+            # Those about the file were issued when it was loaded.
+            done.warnings.append("\n".join(warning for warning in warnings if warning not in model._notes))
+            if error is not None:
+                done.values.append(None)
+                continue
+            columns.fill(times, values)
+            done.values.append([output.of(columns) for output in recipe.outputs])
+            if any(output.is_series for output in recipe.outputs):
+                if done.times is None:
+                    done.times = columns.time.copy()
+                expect_same(done.times, columns.time)
 
 
 def _run(recipe: Recipe, parameters: dict[str, Any], done: Done, told: list[str]) -> list[Array]:
     """Run one point; collects what the solver warns of in ``told``."""
-    results = recipe.model._run({**recipe.found, **parameters}, told=told, judged=recipe.judged(), **recipe.settings)
+    try:
+        results = recipe.model._run(recipe.parameters(parameters), told=told, judged=recipe.judged(), **recipe.settings)
+    except ModelError:
+        fitting = recipe.fitting(parameters) if recipe.found else {}
+        if not fitting or fitting == recipe.parameters(parameters):
+            raise
+        results = recipe.model._run(fitting, told=told, judged=recipe.judged(), **recipe.settings)
     values = [output.of(results) for output in recipe.outputs]
     if any(output.is_series for output in recipe.outputs):
         if done.times is None:

@@ -72,8 +72,8 @@ impl Linear {
             )),
         })?;
         if error.is_infinite() {
-            let message = "motions that do not fade are others in the reduced system, and its error is not known; give \
-                           motions that take no load a stiffness, or take --method balanced";
+            let message = "the reduced system has other undamped motions than the whole one, and its error is not \
+                           known; give motions that take no load a stiffness, or take --method balanced";
             return Err(wrong(message.to_owned()));
         }
         let rest = match method {
