@@ -266,7 +266,7 @@ def told_of(model: ancf14.Model, parameters: dict[str, Any], stop: float | None)
         ("strip.height", [0.005, "strip.width/4", 0.006]),
         ("simulation.step", [1e-3, 2e-3, 1e-3]),
         ("end", [0.02, 0.03, 0.01]),
-        ("turn", [0.0, 3.0, 0.5]),
+        ("turn", [0.0, 9.0, 0.5]),
     ],
 )
 def test_points_do_not_depend_on_those_before_them(key: str, values: list[Any]) -> None:
