@@ -157,6 +157,7 @@ impl Kept {
         simulation.take_warnings();
         let document = simulation.model().document();
         let rows = [document.value(document.simulation.stop), document.output_step()];
+        // Automatic meshes, and the rows, are those of the file as it was loaded.
         if leaves_mesh(document) || rows != [simulation.stop_time(), simulation.output_step()] {
             return None;
         }

@@ -144,7 +144,7 @@ def test_only_results_that_are_kept_decide_about_the_settings() -> None:
 
 
 def test_settings_that_are_not_fine_enough_are_told() -> None:
-    with pytest.warns(ancf14.SolverWarning, match="the settings of the study, found at its middle point, are not fine enough: tip.velocity is off by"):
+    with pytest.warns(ancf14.SolverWarning, match="the steps and meshes of the study are not fine enough: tip.velocity is off by"):
         rod(", accuracy = 3e-2").sweep(RADII, ["tip.velocity"], budget=1e-3)
 
 

@@ -160,8 +160,8 @@ fn found(
 ) -> Result<Option<(Simulation, String)>, Stop> {
     if !leaves_mesh(model.document()) {
         if let Some(path) = inputs {
-            let message = "warning: the model file gives the elements of all beams, so that";
-            complain(&format!("{message} the inputs of {} find nothing; leave out --inputs", path.display()));
+            let reason = "the model file gives the elements of all beams; leave out --inputs";
+            complain(&format!("warning: the inputs of {} have no effect: {reason}", path.display()));
         }
         return Ok(None);
     }

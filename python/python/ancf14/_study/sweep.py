@@ -68,7 +68,7 @@ def sweep(
                 table.keep(find(recipe, wanted, refinement))
             assert table.found is not None
             if table.found.warning:
-                warn([f"the settings of the study, found at its middle point, are not fine enough: {table.found.warning}"])
+                warn([f"the steps and meshes of the study are not fine enough: {table.found.warning}"])
             recipe = replace(recipe, found=table.found.settings)
             for done in _chunks(recipe, wanted, table.missing(), executor or pool):
                 table.put(done)
