@@ -191,7 +191,7 @@ fn responses_are_those_of_the_matrices() {
 }
 
 /// A crane whose foot is moved along three axes: a motion along one axis swings a load of 1e-6 damping, and those along
-/// the others leave it alone. Round-off of the poles at 0 moved it by 1e9 times its response. Outputs are measured by
+/// the others leave it alone. Round-off of the poles at 0 moved it by 1e8 times its response. Outputs are measured by
 /// their largest response to any input. At the peaks of the load, round-off of the stiffness moves the poles of the
 /// solution at a frequency by some 1e-5 of their damping; half of the states leave no more than that.
 #[test]
