@@ -147,14 +147,16 @@ impl Document {
 
     /// How the solver chooses the steps of a motion from `start`, s; none where they are given.
     pub fn pacing(&self, start: f64) -> Option<Pacing> {
-        let SimulationSpec { analysis: Analysis::Dynamic, steps: Steps::ForAccuracy(accuracy), stop, .. } =
-            self.simulation
+        let SimulationSpec {
+            analysis: Analysis::Dynamic, steps: Steps::ForAccuracy(accuracy), longest_step, stop, ..
+        } = self.simulation
         else {
             return None;
         };
         let stop = self.value(stop);
         let duration = if stop > start { stop - start } else { stop };
-        Some(Pacing { accuracy: self.value(accuracy), duration, is_given: false })
+        let longest = longest_step.map_or(f64::INFINITY, |number| self.value(number));
+        Some(Pacing { accuracy: self.value(accuracy), duration, longest, is_given: false })
     }
 
     /// Gives a beam whose file leaves that to the program so many elements.

@@ -2,7 +2,6 @@
 //! file with that.
 
 use super::Refinement;
-use crate::fmi::Model;
 use crate::mechanics::beam::ancf14::energy::quadratic_twist::Twist;
 use crate::mechanics::beam::design::Elements;
 use crate::model::file::document::Document;
@@ -14,8 +13,6 @@ use crate::model::text::source::Place;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// How much the steps of a run may differ to be called equal, relative: a given step is written for them.
-const EQUAL: f64 = 1e-6;
 /// The section of the steps.
 const SIMULATION: &str = "[simulation]";
 
@@ -24,8 +21,8 @@ const SIMULATION: &str = "[simulation]";
 pub struct Found {
     /// Beams whose elements the program has chosen.
     meshes: Vec<Mesh>,
-    /// `step` or `accuracy`, with its value; none: the file stays as it is.
-    steps: Option<(&'static str, f64)>,
+    /// Keys of the steps, each with its value; none: they stay as they are.
+    steps: Vec<(&'static str, f64)>,
 }
 
 /// The mesh of a beam.
@@ -51,21 +48,18 @@ impl Refinement {
         Found { meshes: chosen.map(mesh).collect(), steps: self.steps_found(simulation) }
     }
 
-    /// The setting for steps as short as those of `simulation`; none: they follow from the file.
-    fn steps_found(&self, simulation: &Simulation) -> Option<(&'static str, f64)> {
-        if self.divided <= 1.0 {
-            return None;
-        }
+    /// The settings for steps as short as those of `simulation`; none: they follow from the file. A finer accuracy
+    /// divides the steps that errors bound, and the longest step of the run divides those that rows bound.
+    fn steps_found(&self, simulation: &Simulation) -> Vec<(&'static str, f64)> {
         let document = simulation.document();
-        let Steps::ForAccuracy(accuracy) = document.simulation.steps else { return None };
-        let interval = simulation.about().output_step;
-        match simulation.step_lengths() {
-            Some([shortest, longest]) if longest - shortest <= EQUAL * longest && !document.is_written(accuracy) => {
-                Some(("step", interval / (interval / longest).round().max(1.0)))
-            }
-            // Errors are of second order.
-            _ => Some(("accuracy", (document.value(accuracy) / self.divided.powi(2)).max(FINEST_ACCURACY))),
+        let Steps::ForAccuracy(accuracy) = document.simulation.steps else { return Vec::new() };
+        if self.divided <= 1.0 {
+            return Vec::new();
         }
+        // Errors are of second order.
+        let accuracy = (document.value(accuracy) / self.divided.powi(2)).max(FINEST_ACCURACY);
+        let longest = simulation.longest_step().map(|longest| ("longest_step", longest));
+        std::iter::once(("accuracy", accuracy)).chain(longest).collect()
     }
 }
 
@@ -128,12 +122,12 @@ impl Found {
             let at = line_end(text, start);
             changes.push((at..at, format!("elements = {elements}\n{twist}")));
         }
-        if let Some((key, value)) = self.steps {
-            let value = short(value);
+        for (key, value) in &self.steps {
+            let value = short(*value);
             let Some(start) = header(text, SIMULATION) else {
                 return Err(format!("{SIMULATION} is not in this file: give {key} = {value} where it is written"));
             };
-            changes.push(match keys(&text[start..]).find(|(own, _)| *own == key) {
+            changes.push(match keys(&text[start..]).find(|(own, _)| own == key) {
                 Some((_, span)) => (start + span.start..start + span.end, value),
                 None => {
                     let at = line_end(text, start);
@@ -196,7 +190,7 @@ mod tests {
     const TEXT: &str = "[copy.all]\ncount = 2\n\n[copy.all.beam.arm] # both\nto = [1, 0, 0]\n\n\
                         [simulation]\nstop = 1\naccuracy = 1e-3 # fine\n\n[beam.tip]\ntwist = \"linear\"\n";
 
-    fn found(steps: (&'static str, f64)) -> String {
+    fn found(steps: &[(&'static str, f64)]) -> String {
         let mesh =
             |beam, name: &str, elements, is_quadratic| Mesh { beam, name: name.to_owned(), elements, is_quadratic };
         let meshes = vec![mesh(0, "arm_1", 8, true), mesh(1, "arm_2", 12, true), mesh(2, "tip", 9, false)];
@@ -204,7 +198,7 @@ mod tests {
             let start = TEXT.find(if beam == 2 { "tip]" } else { "arm]" }).unwrap();
             Place { source: 0, start, end: start + 3 }
         };
-        Found { meshes, steps: Some(steps) }.inserted(TEXT, header_of).unwrap()
+        Found { meshes, steps: steps.to_vec() }.inserted(TEXT, header_of).unwrap()
     }
 
     /// Numbers go below the headers, copies get the largest, and remarks and layout stay.
@@ -213,8 +207,9 @@ mod tests {
         let wanted = "[copy.all]\ncount = 2\n\n[copy.all.beam.arm] # both\nelements = 12\ntwist = \"quadratic\"\n\
                       to = [1, 0, 0]\n\n[simulation]\nstop = 1\naccuracy = 6.25e-5 # fine\n\n[beam.tip]\nelements = 9\n\
                       twist = \"linear\"\n";
-        assert_eq!(found(("accuracy", 6.25e-5)), wanted);
-        let step = found(("step", 1e-3));
-        assert!(step.contains("[simulation]\nstep = 1e-3\nstop = 1\n"), "{step}");
+        assert_eq!(found(&[("accuracy", 6.25e-5)]), wanted);
+        let steps = found(&[("accuracy", 1e-5), ("longest_step", 1e-3)]);
+        let wanted = "[simulation]\nlongest_step = 1e-3\nstop = 1\naccuracy = 1e-5 # fine\n";
+        assert!(steps.contains(wanted), "{steps}");
     }
 }

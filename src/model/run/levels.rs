@@ -58,8 +58,8 @@ impl Level {
     pub fn overrides(self, document: &Document) -> Option<Vec<Override>> {
         let is_dynamic = document.simulation.analysis == Analysis::Dynamic;
         let own = match self {
-            Self::HalfStep => is_dynamic.then(|| vec![step(document, 0.5)]),
-            Self::DoubleStep => is_dynamic.then(|| vec![step(document, 2.0)]),
+            Self::HalfStep => is_dynamic.then(|| steps(document, 0.5)),
+            Self::DoubleStep => is_dynamic.then(|| steps(document, 2.0)),
             Self::QuadraticTwist => Some(quadratic_twist(document)),
             Self::DoubleElements => {
                 mesh(document, |_, count| Some(2 * count)).map(|own| with_quadratic_twist(document, own))
@@ -104,6 +104,19 @@ pub fn step(document: &Document, factor: f64) -> Override {
             (String::from("simulation.accuracy"), shortened(accuracy.clamp(FINEST_ACCURACY, COARSEST_ACCURACY)))
         }
     }
+}
+
+/// The settings for steps that are `factor` times as long. Those that the solver chooses are shortened by rows of
+/// results too, which stay: half of the steps need a bound of their own.
+fn steps(document: &Document, factor: f64) -> Vec<Override> {
+    let own = step(document, factor);
+    let Some(pacing) = document.pacing(0.0) else { return vec![own] };
+    // Whole steps fill the time between two rows.
+    let row = document.output_step();
+    let longest = factor * row / (row / pacing.longest_of_all() - WHOLE).ceil().max(1.0);
+    let has_bound = document.simulation.longest_step.is_some() || factor < 1.0;
+    let bound = has_bound.then(|| (String::from("simulation.longest_step"), shortened(longest)));
+    std::iter::once(own).chain(bound).collect()
 }
 
 /// A setting in as few digits as it has: a quotient's last ones are round-off.

@@ -59,6 +59,8 @@ const FADING: f64 = 0.9;
 /// How much longer than wanted a step may be to end where it has to, and the share of that below which it ended early.
 const STRETCH: f64 = 1.1;
 const ENDED_EARLY: f64 = 0.9;
+/// The same over the longest step that is asked for: round-off of its digits and of the ends of steps.
+const BEYOND: f64 = 1.0 + 1e-6;
 /// Shortest and longest step, as shares of the duration: a system at rest does not step over what happens to it.
 const SHORTEST: f64 = 1e-12;
 const LONGEST: f64 = 0.02;
@@ -73,6 +75,8 @@ pub struct Pacing {
     pub accuracy: f64,
     /// Length of the motion, s.
     pub duration: f64,
+    /// Longest step that may be chosen, s.
+    pub longest: f64,
     /// The steps follow a given course: none is refused because of its error.
     pub is_given: bool,
 }
@@ -188,7 +192,8 @@ impl Pacing {
             let ahead = boundary.min(state.time + 2.0 * STRETCH * wanted);
             let boundary = system.switch_between(state.time, ahead, margin).unwrap_or(boundary);
             let remaining = boundary - state.time;
-            let count = (remaining / (STRETCH * wanted)).ceil().max(1.0);
+            let fewest = remaining / (BEYOND * self.longest);
+            let count = (remaining / (STRETCH * wanted)).max(fewest).ceil().max(1.0);
             let step = remaining / count;
             let step_end = if count == 1.0 { boundary } else { state.time + step };
             let sight = if step_end == boundary && boundary < end { Sight::Changes } else { Sight::Pulses };
@@ -233,6 +238,11 @@ impl Pacing {
 
     /// Length of the next step unless it ends earlier, s.
     fn next_step(self, state: &State) -> f64 {
-        state.pace.wanted.min(LONGEST * self.duration)
+        state.pace.wanted.min(self.longest_of_all())
+    }
+
+    /// The longest step that is ever wanted, s.
+    pub fn longest_of_all(self) -> f64 {
+        self.longest.min(LONGEST * self.duration)
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::running::{run, start, try_start, value};
 use ancf14::fmi::{Model, Value};
+use ancf14::model::run::levels::{Level, merged};
 use ancf14::model::simulation::Simulation;
 
 /// A body on a spring, 31.6 rad/s, for 5 periods.
@@ -253,4 +254,34 @@ fn many_steps_say_why() {
     let mut few = start(&oscillator(""));
     few.advance(1.0).unwrap();
     assert_eq!(few.step_limits(), None);
+}
+
+/// The steps between two rows of a body that coasts: they have no error, and only their bounds matter.
+fn steps_of_coasting(settings: &[(String, String)]) -> f64 {
+    let text = "format = 1\n[model]\nname = \"Coasting\"\n[body.b]\nmass = 1\nposition = [0, 0, 0]\n\
+                inertia = [1, 1, 1]\nvelocity = [1, 0, 0]\n[output.way]\nat = \"b\"\nquantities = [\"position\"]\n\
+                [simulation]\nstop = 1\noutput_step = 0.01\n";
+    let mut simulation = Simulation::load("coasting.toml", text, settings).unwrap();
+    simulation.initialize(0.0).unwrap();
+    // Steps have grown to their bound by the middle of the motion.
+    let [middle, end] = [0, 50].map(|first| {
+        (first + 1..=first + 50).for_each(|row| simulation.advance(f64::from(row) * 0.01).unwrap());
+        simulation.state().statistics.steps
+    });
+    (end - middle) as f64 / 50.0
+}
+
+/// Rows bound steps without error, and so does a longest step that is asked for: whole steps fill the time between two
+/// rows. The run that a verification compares with has steps half as long, whatever bounds them.
+#[test]
+fn steps_are_no_longer_than_asked_for() {
+    let asked = |step: &str| vec![(String::from("simulation.longest_step"), String::from(step))];
+    for (settings, steps) in [(vec![], 1.0), (asked("5e-3"), 2.0), (asked("4.9e-3"), 3.0), (asked("0.1"), 1.0)] {
+        assert_eq!(steps_of_coasting(&settings), steps, "{settings:?}");
+        let text = include_str!("../../../models/cantilever.toml").replace("step = 1e-3\n", "");
+        let text = text.replace("output_step = 5e-3", "output_step = 1e-2");
+        let simulation = Simulation::load("m.toml", &text, &settings).unwrap();
+        let half = Level::HalfStep.overrides(simulation.document()).unwrap();
+        assert_eq!(steps_of_coasting(&merged(&settings, half)), 2.0 * steps, "{settings:?}");
+    }
 }

@@ -37,17 +37,21 @@ fn a_tuned_file_gives_the_rows_of_the_finest_run() {
     assert!(rows("own") == rows("tuned"));
 }
 
-/// Steps that are divided are written as an accuracy, whose value is replaced where it stands. Its steps end elsewhere:
-/// the command says by how much results differ. A file that gives everything, and a pipe, are refused.
+/// A mass on springs, whose first run takes steps as long as its rows let them be.
+const MOUNT: &str = "format = 1\n[model]\nname = \"Mount\"\ngravity = [0, 0, -9.81]\n\
+    [body.mass]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n\
+    [joint.mount]\ntype = \"bushing\"\na = \"ground\"\nb = \"mass\"\nstiffness = [1e2, 1e2, 1e2]\n\
+        rotational_stiffness = [1e2, 1e2, 1e2]\n[output.motion]\nat = \"mass\"\nquantities = [\"position\"]\n\
+    [simulation]\nstop = 5\noutput_step = 0.25\naccuracy = 0.03 # coarse\n";
+
+/// Steps that are divided are written as an accuracy, whose value is replaced where it stands, and as their longest
+/// one. They end elsewhere: the command says by how much results differ. A file that gives everything, and a pipe, are
+/// refused.
 #[test]
 fn divided_steps_become_an_accuracy() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path();
-    let mount = "format = 1\n[model]\nname = \"Mount\"\ngravity = [0, 0, -9.81]\n\
-        [body.mass]\nmass = 1\nposition = [0, 0, 0]\ninertia = [1, 1, 1]\n\
-        [joint.mount]\ntype = \"bushing\"\na = \"ground\"\nb = \"mass\"\nstiffness = [1e2, 1e2, 1e2]\n\
-        rotational_stiffness = [1e2, 1e2, 1e2]\n[output.motion]\nat = \"mass\"\nquantities = [\"position\"]\n\
-        [simulation]\nstop = 5\noutput_step = 0.25\naccuracy = 0.03 # coarse\n";
+    let mount = MOUNT;
     fs::write(path.join("m.toml"), mount).unwrap();
     let output = ancf14(path, &["tune", "m.toml", "-o", "t.toml"]);
     let told = text(&output.stdout).to_owned() + &text(&output.stderr);
@@ -59,13 +63,34 @@ fn divided_steps_become_an_accuracy() {
     let line = tuned.lines().last().unwrap();
     let number = line.strip_prefix("accuracy = ").and_then(|rest| rest.strip_suffix(" # coarse")).unwrap();
     let accuracy: f64 = number.parse().unwrap();
-    assert!(tuned.lines().count() == mount.lines().count() && accuracy <= 0.03 / 4.0, "{tuned}");
+    assert!(tuned.lines().count() == mount.lines().count() + 1 && accuracy <= 0.03 / 4.0, "{tuned}");
     fs::write(path.join("given.toml"), mount.replace("accuracy = 0.03 # coarse", "step = 0.01")).unwrap();
     for (file, reason) in [("given.toml", "tune has nothing to find"), ("-", "not a pipe")] {
         let refused = ancf14(path, &["tune", file, "-o", "x.toml"]);
         assert!(refused.status.code() == Some(2) && text(&refused.stderr).contains(reason), "{refused:?}");
         assert!(!path.join("x.toml").exists());
     }
+}
+
+/// Rows that bound the steps of the first run do not bound those of the file: its longest step is that of the finest
+/// run.
+#[test]
+fn steps_that_rows_bound_are_divided() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path();
+    let mount =
+        MOUNT.replace("stop = 5\noutput_step = 0.25\naccuracy = 0.03", "stop = 2\noutput_step = 0.02\naccuracy = 0.1");
+    fs::write(path.join("m.toml"), mount).unwrap();
+    // Without the longest step the file is off by ten times as much.
+    let told = done(path, &["tune", "m.toml", "-o", "t.toml"]);
+    let distance = told.split("finest run by about ").nth(1).and_then(|rest| rest.split(' ').next());
+    assert!(distance.unwrap().parse::<f64>().unwrap() < 0.05, "{told}");
+    let tuned = fs::read_to_string(path.join("t.toml")).unwrap();
+    let (longest, parts): (f64, f64) = match tuned.lines().find_map(|line| line.strip_prefix("longest_step = ")) {
+        Some(number) => (number.parse().unwrap(), 0.02 / number.parse::<f64>().unwrap()),
+        None => panic!("{tuned}"),
+    };
+    assert!(longest <= 0.01 && (parts - parts.round()).abs() < 1e-9, "{tuned}");
 }
 
 /// A unit has the elements that were found, and a header the GUID of that unit: that of the tuned file. Meshes stay as

@@ -20,6 +20,7 @@ pub(super) const KEYS: &[Key] = &[
     Key::number(&[&STOP]),
     Key::number(&[&STEP]),
     Key::number(&[&ACCURACY]),
+    Key::number(&[&LONGEST_STEP]),
     Key::number(&[&OUTPUT_STEP]),
     Key::word("integrator", &words_of(&INTEGRATORS), "the time integration"),
     Key::number(&[&CONSERVED_RADIUS, &SPECTRAL_RADIUS]),
@@ -37,6 +38,8 @@ const STEP: Rule = Rule::new("step", "largest internal step", "s").above(0.0);
 const ACCURACY: Rule = Rule::new("accuracy", "error of a motion because of its steps, as a share of its range", "")
     .from(FINEST_ACCURACY)
     .to(COARSEST_ACCURACY);
+const LONGEST_STEP: Rule =
+    Rule::new("longest_step", "longest internal step that the solver may choose", "s").above(0.0);
 /// Range of `accuracy`: below, round-off is more; above, the steps of a motion say nothing of it.
 pub const FINEST_ACCURACY: f64 = 1e-9;
 /// The other end of that range.
@@ -70,6 +73,9 @@ pub struct SimulationSpec {
     pub stop: Number,
     /// What the internal steps follow from.
     pub steps: Steps,
+    /// The longest step of those that the solver chooses for a motion, s; none: they are as long as rows and errors let
+    /// them be.
+    pub longest_step: Option<Number>,
     /// The file leaves the steps of a motion to the program: it has neither their length nor their accuracy.
     pub leaves_steps: bool,
     /// Time between two rows of results, s; see
@@ -225,6 +231,7 @@ impl SimulationSpec {
         let has_state = from_state.is_some();
         let [verify, mesh_error, correction] = errors(&mut reader, analysis, &follow, has_state, is_estimated);
         let totals = totals(&mut reader, analysis);
+        let longest_step = longest_step(&mut reader, analysis, step.is_some());
         let leaves_steps = analysis == Analysis::Dynamic && step.is_none() && !reader.has(ACCURACY.key);
         let steps = steps(&mut reader, step, analysis == Analysis::Dynamic && !is_estimated);
         let place = reader.place;
@@ -253,6 +260,7 @@ impl SimulationSpec {
             preload,
             stop,
             steps,
+            longest_step,
             leaves_steps,
             output_step,
             tolerance,
@@ -316,6 +324,21 @@ fn steps(reader: &mut Reader<'_, '_>, step: Option<Number>, must_be_given: bool)
             Steps::ForAccuracy(reader.number_or(&ACCURACY, USUAL_ACCURACY))
         }
     }
+}
+
+/// Reads the longest step of those that the solver chooses.
+fn longest_step(reader: &mut Reader<'_, '_>, analysis: Analysis, has_step: bool) -> Option<Number> {
+    if analysis == Analysis::Static {
+        reader.refuse(
+            LONGEST_STEP.key,
+            "`longest_step` belongs to a motion",
+            "remove it: `step` bounds the increments",
+        );
+    } else if has_step {
+        let message = "`longest_step` belongs to steps that the solver chooses, and `step` gives them";
+        reader.refuse(LONGEST_STEP.key, message, "leave out one of the two");
+    }
+    reader.optional(&LONGEST_STEP)
 }
 
 /// What a row of equilibria is followed by.

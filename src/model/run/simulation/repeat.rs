@@ -14,12 +14,11 @@ impl Simulation {
         self.runner.ends = Some(Vec::new());
     }
 
-    /// The shortest and the longest of the steps that have been noted, s; none: there are none.
-    pub fn step_lengths(&self) -> Option<[f64; 2]> {
-        let ends = self.runner.ends.as_deref().filter(|ends| !ends.is_empty())?;
+    /// The longest of the steps that have been noted, s; none: there are none.
+    pub fn longest_step(&self) -> Option<f64> {
+        let ends = self.runner.ends.as_deref()?;
         let begins = std::iter::once(self.runner.start).chain(ends.iter().copied());
-        let lengths = begins.zip(ends).map(|(begin, end)| end - begin);
-        Some(lengths.fold([f64::INFINITY, 0.0], |[least, most], own| [own.min(least), own.max(most)]))
+        begins.zip(ends).map(|(begin, end)| end - begin).reduce(f64::max)
     }
 
     /// Builds the same model with `changes`, not initialized, whose motion follows the steps of this run, each divided
