@@ -373,6 +373,8 @@ pub enum Setting {
     Step(f64),
     /// The accuracy asked for.
     Accuracy(f64),
+    /// The longest of the steps that rows of results bound, s: a smaller accuracy would not shorten these.
+    Longest(f64),
 }
 
 impl Setting {
@@ -380,7 +382,7 @@ impl Setting {
     /// steps, and as the accuracy.
     fn proposed(self, factor: f64) -> String {
         match self {
-            Self::Step(step) => format!("{}: {:.1e} s", self.name(), step * factor.sqrt()),
+            Self::Step(step) | Self::Longest(step) => format!("{}: {:.1e} s", self.name(), step * factor.sqrt()),
             Self::Accuracy(accuracy) => {
                 format!("{}: {:.1e}", self.name(), (accuracy * factor).max(FINEST_ACCURACY))
             }
@@ -392,6 +394,7 @@ impl Setting {
         match self {
             Self::Step(_) => "simulation.step",
             Self::Accuracy(_) => "simulation.accuracy",
+            Self::Longest(_) => "simulation.longest_step",
         }
     }
 }

@@ -94,22 +94,17 @@ pub fn taken_step(document: &Document) -> f64 {
     document.largest_step().min(document.output_step())
 }
 
-/// The setting for steps that are `factor` times as long: the one place that knows how fine steps are asked for.
-pub fn step(document: &Document, factor: f64) -> Override {
-    match document.simulation.steps {
+/// The settings for steps that are `factor` times as long: the one place that knows how fine steps are asked for. Steps
+/// that the solver chooses are shortened by rows of results too, which stay: finer ones need a bound of their own.
+pub fn steps(document: &Document, factor: f64) -> Vec<Override> {
+    let own = match document.simulation.steps {
         Steps::Fixed(_) => (String::from("simulation.step"), shortened(factor * taken_step(document))),
         // Errors are of second order.
         Steps::ForAccuracy(accuracy) => {
             let accuracy = document.value(accuracy) * factor.powi(2);
             (String::from("simulation.accuracy"), shortened(accuracy.clamp(FINEST_ACCURACY, COARSEST_ACCURACY)))
         }
-    }
-}
-
-/// The settings for steps that are `factor` times as long. Those that the solver chooses are shortened by rows of
-/// results too, which stay: half of the steps need a bound of their own.
-fn steps(document: &Document, factor: f64) -> Vec<Override> {
-    let own = step(document, factor);
+    };
     let Some(pacing) = document.pacing(0.0) else { return vec![own] };
     // Whole steps fill the time between two rows.
     let row = document.output_step();

@@ -111,8 +111,8 @@ fn settings(document: &Document, demands: &[Demand]) -> Option<Vec<String>> {
     let Setting { steps, elements, quadratic } = cheapest(demands)?;
     let mut list = Vec::new();
     if steps > 1 {
-        let (key, value) = levels::step(document, 1.0 / f64::from(steps));
-        list.push(format!("{key} = {value}"));
+        let steps = levels::steps(document, 1.0 / f64::from(steps)).into_iter();
+        list.extend(steps.map(|(key, value)| format!("{key} = {value}")));
     }
     if elements > 1 {
         let count = |beam| levels::elements(document, beam) * elements as usize;

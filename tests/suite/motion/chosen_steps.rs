@@ -285,3 +285,21 @@ fn steps_are_no_longer_than_asked_for() {
         assert_eq!(steps_of_coasting(&merged(&settings, half)), 2.0 * steps, "{settings:?}");
     }
 }
+
+/// Where rows bound the steps, a smaller accuracy would change nothing: a warning names the longest step, and a run
+/// with the number that it advises needs no warning.
+#[test]
+fn advice_names_what_bounds_the_steps() {
+    let warned = |settings: &str| {
+        let mut simulation = start(&oscillator(settings));
+        let found = error(&mut simulation, 2.5e-3);
+        simulation.conclude();
+        (found, simulation.take_warnings().join("\n"))
+    };
+    let (found, warning) = warned("accuracy = 0.1");
+    let advised = warning.split("take a smaller simulation.longest_step: ").nth(1).expect(&warning);
+    let advised = advised.split(' ').next().unwrap();
+    let (better, nothing) = warned(&format!("accuracy = 0.1\nlongest_step = {advised}"));
+    assert!(found > 0.005 && better < 0.0035 && nothing.is_empty(), "{found} {better} {nothing}");
+    assert!(warned("accuracy = 1e-2").1.contains("take a smaller simulation.accuracy: "));
+}

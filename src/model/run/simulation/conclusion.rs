@@ -10,6 +10,8 @@ use crate::solve::step::tally::Limit;
 
 /// A run of so many steps says why.
 const MANY_STEPS: u64 = 20_000;
+/// Rows of results that bound more than this share of the steps are what makes them as short as they are.
+const MOST: f64 = 0.5;
 /// A reason that holds a smaller share of the steps is not told.
 const LEAST_SHARE: f64 = 0.05;
 
@@ -71,11 +73,7 @@ impl Simulation {
         let _ = self.read_results();
         self.look();
         self.correct();
-        let Runner { pacing, state, .. } = &self.runner;
-        let setting = match pacing {
-            Some(pacing) => Setting::Accuracy(pacing.accuracy),
-            None => Setting::Step(state.time_error.step),
-        };
+        let setting = self.step_setting();
         let errors = self.estimated_errors().into_iter().filter(|own| self.is_judged(own));
         let of_steps = errors.max_by(|a, b| a.error.total_cmp(&b.error)).and_then(|worst| worst.warning(setting));
         let seen_from = if self.is_compared { "" } else { self.find_mesh_errors() };
@@ -95,6 +93,16 @@ impl Simulation {
         let (begin, end) = (self.document.drawn_at(self.runner.start), self.runner.state.instant());
         let Runner { system, state, .. } = &self.runner;
         self.warnings.extend(self.watch.conclude(system, state, &self.table, [begin, end]));
+    }
+
+    /// The setting that most steps follow from.
+    fn step_setting(&self) -> Setting {
+        let Runner { pacing, state, start, solver, .. } = &self.runner;
+        let Some(pacing) = pacing else { return Setting::Step(state.time_error.step) };
+        let tally = if let Solver::Midpoint(midpoint) = solver { midpoint.limits() } else { None };
+        let are_bound_by_rows = tally.is_some_and(|tally| tally.share(Limit::Other) > MOST);
+        let mean = (state.time - start) / state.statistics.steps.max(1) as f64;
+        if are_bound_by_rows && mean > 0.0 { Setting::Longest(mean) } else { Setting::Accuracy(pacing.accuracy) }
     }
 
     /// Warns of results that are off by more than a reader expects because of the steps and the mesh together.
