@@ -4,10 +4,10 @@
 use super::correction::{self, Remainder};
 use super::neighbor::Neighbor;
 use super::scale::{self, Measures, Span};
+use super::step_setting::Setting;
 use crate::math::histogram::Histogram;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::model::file::entries::simulation::FINEST_ACCURACY;
 use crate::model::file::quantity::Quantity;
 use crate::model::variables::Table;
 use crate::solve::step::response::Responder;
@@ -363,39 +363,6 @@ impl Accuracy {
         let families = columns.families.iter().zip(spans);
         let quantities: Vec<_> = families.map(|(family, span)| (&*family.name, &*family.unit, span)).collect();
         measures.scales(&quantities)
-    }
-}
-
-/// The setting that the lengths of the steps follow from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Setting {
-    /// Their length, s.
-    Step(f64),
-    /// The accuracy asked for.
-    Accuracy(f64),
-    /// The longest of the steps that rows of results bound, s: a smaller accuracy would not shorten these.
-    Longest(f64),
-}
-
-impl Setting {
-    /// What it should be for an error that is `factor` times as large, in words. Errors grow as the square of the
-    /// steps, and as the accuracy.
-    fn proposed(self, factor: f64) -> String {
-        match self {
-            Self::Step(step) | Self::Longest(step) => format!("{}: {:.1e} s", self.name(), step * factor.sqrt()),
-            Self::Accuracy(accuracy) => {
-                format!("{}: {:.1e}", self.name(), (accuracy * factor).max(FINEST_ACCURACY))
-            }
-        }
-    }
-
-    /// Its key in the model file.
-    fn name(self) -> &'static str {
-        match self {
-            Self::Step(_) => "simulation.step",
-            Self::Accuracy(_) => "simulation.accuracy",
-            Self::Longest(_) => "simulation.longest_step",
-        }
     }
 }
 

@@ -13,4 +13,5 @@ pub mod rows;
 pub(super) mod scale;
 pub mod simulation;
 pub mod step_length;
+pub mod step_setting;
 pub mod watch;

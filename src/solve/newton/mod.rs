@@ -61,6 +61,11 @@ pub trait Problem {
         Ok(0.0)
     }
 
+    /// The size to which a correction of `size` is shortened before it is added: most are not.
+    fn shortened(&mut self, size: f64) -> f64 {
+        size
+    }
+
     /// Adds a correction to the unknowns.
     fn correct(&mut self, correction: &[f64]);
 }
@@ -126,8 +131,13 @@ pub fn solve(
         }
         kkt.solve(system, right, time)?;
         let extension = problem.extend(kkt, right)?;
+        let size = system.motion_size(right);
+        let shortened = problem.shortened(size);
+        if shortened < size {
+            right.iter_mut().for_each(|correction| *correction *= shortened / size);
+        }
         problem.correct(right);
-        last = system.motion_size(right) + extension;
+        last = size + extension;
         convergence.corrections[convergence.iterations] = last;
         convergence.iterations += 1;
         *iterations += 1;

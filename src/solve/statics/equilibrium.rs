@@ -9,6 +9,12 @@ use crate::mechanics::system::System;
 use crate::solve::newton::Problem;
 use crate::solve::newton::kkt::Kkt;
 
+/// A first correction by a fast tangent that is larger than `ABSURD` says nothing of the equilibrium: what is slack as
+/// drawn would turn many times, where stretching by its own sag holds it after some degrees. From there on corrections
+/// are no larger than `CAUTIOUS`. Lengths over the system's size, slopes and angles in rad.
+const ABSURD: f64 = 2.0;
+const CAUTIOUS: f64 = 0.25;
+
 /// The tangent of an iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Tangent {
@@ -30,6 +36,8 @@ pub(super) struct Equilibrium<'a> {
     pub(super) scratch: &'a mut Scratch,
     /// Which tangent an iteration has.
     pub(super) tangent: Tangent,
+    /// Size of the first correction, as it was found; none: there is none yet.
+    pub(super) first: Option<f64>,
 }
 
 impl<'a> Equilibrium<'a> {
@@ -43,7 +51,7 @@ impl<'a> Equilibrium<'a> {
     ) -> Self {
         scratch.q.copy_from_slice(&state.q);
         scratch.multipliers.copy_from_slice(&state.multipliers);
-        Self { system, state, time, excitation, motion, scratch, tangent: Tangent::Exact }
+        Self { system, state, time, excitation, motion, scratch, tangent: Tangent::Exact, first: None }
     }
 
     /// Minus the residual at the current unknowns, whose forces, frames and gradients are known, into `right`.
@@ -83,6 +91,11 @@ impl Problem for Equilibrium<'_> {
         kkt.set_constraints(system, &self.scratch.gradients, &self.scratch.gradients, 1.0);
         state.held.iter().for_each(|held| kkt.stiffen(held.index, held.stiffness));
         self.time
+    }
+
+    fn shortened(&mut self, size: f64) -> f64 {
+        let first = *self.first.get_or_insert(size);
+        if self.tangent == Tangent::Exact || first <= ABSURD { size } else { size.min(CAUTIOUS) }
     }
 
     fn correct(&mut self, correction: &[f64]) {

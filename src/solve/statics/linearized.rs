@@ -23,7 +23,10 @@ impl Statics {
         self.scratch.multipliers.copy_from_slice(multipliers);
         let (excitation, motion) = (&self.current, &self.current_motion);
         let scratch = &mut self.scratch;
-        (Equilibrium { system, state, time, excitation, motion, scratch, tangent: Tangent::Exact }, &mut self.kkt)
+        (
+            Equilibrium { system, state, time, excitation, motion, scratch, tangent: Tangent::Exact, first: None },
+            &mut self.kkt,
+        )
     }
 }
 

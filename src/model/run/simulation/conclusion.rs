@@ -4,8 +4,9 @@
 use super::Simulation;
 use super::runner::Runner;
 use super::solver::Solver;
-use crate::model::run::accuracy::{Inexact, Setting};
+use crate::model::run::accuracy::Inexact;
 use crate::model::run::levels;
+use crate::model::run::step_setting::Setting;
 use crate::solve::step::tally::Limit;
 
 /// A run of so many steps says why.

@@ -101,7 +101,16 @@ impl Across<'_> {
     fn equilibrium(&mut self) -> Equilibrium<'_> {
         let Self { system, state, parameter, excitation, motion, scratch, .. } = self;
         // Close to limit points the exact tangent converges from farther away.
-        Equilibrium { system, state, time: *parameter, excitation, motion, scratch, tangent: Tangent::Exact }
+        Equilibrium {
+            system,
+            state,
+            time: *parameter,
+            excitation,
+            motion,
+            scratch,
+            tangent: Tangent::Exact,
+            first: None,
+        }
     }
 }
 
