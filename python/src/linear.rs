@@ -22,12 +22,14 @@ pub struct LinearSystem {
     model: String,
     /// States, kept ones, bound and error; none: it is whole.
     reduction: Option<(usize, usize, Option<f64>, f64)>,
+    /// The whole system that this one is a reduction of.
+    whole: Option<Box<Linear>>,
 }
 
 impl LinearSystem {
     /// Of a simulation, with its poles.
     pub fn new(linear: Linear, poles: Result<Vec<Pole>, String>, model: String) -> Self {
-        Self { linear, poles, model, reduction: None }
+        Self { linear, poles, model, reduction: None, whole: None }
     }
 
     /// The system as an FMU has it.
@@ -37,7 +39,11 @@ impl LinearSystem {
     pub fn small(&self, simulation: &Simulation) -> Result<Small, String> {
         let reduction = self.reduction.map(|(whole, kept, bound, error)| Reduction { whole, kept, bound, error });
         let poles = self.poles.as_deref().unwrap_or_default();
-        Small::new(simulation, &self.linear, poles, reduction).map_err(|reason| reason.to_string())
+        let mut linear = self.linear.clone();
+        if let Some(whole) = &self.whole {
+            linear.measure_amplitude(whole, simulation);
+        }
+        Small::new(simulation, &linear, poles, reduction).map_err(|reason| reason.to_string())
     }
 
     /// The same with fewer states.
@@ -51,7 +57,8 @@ impl LinearSystem {
         let found = self.linear.reduce(simulation, size, method).map_err(|failure| failure.message)?;
         let Reduced { linear, poles, whole, kept, bound, error } = found;
         let reduction = Some((whole, kept, bound, error));
-        Ok(Self { linear, poles: Ok(poles), model: self.model.clone(), reduction })
+        let whole = Some(Box::new(self.linear.clone()));
+        Ok(Self { linear, poles: Ok(poles), model: self.model.clone(), reduction, whole })
     }
 }
 

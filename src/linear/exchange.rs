@@ -1,15 +1,21 @@
 //! The linear system as Model Exchange needs it: its states as variables, and their derivatives at an instant.
 
+use super::amplitude::{Amplitude, MEANING, NAME};
 use super::file::Signal;
 use super::system::{Known, System, Unknown};
-use super::{Unit, difference, wrong};
+use super::{Unit, difference, result, wrong};
 use crate::fmi::continuous::{Continuous, Inputs};
 use crate::fmi::variable::{Causality, Quantity, Variability, Variable};
 use crate::fmi::{Failure, Value};
 
-/// The variable table: inputs, outputs, states, derivatives of states by time.
-pub(super) fn variables(inputs: &[Signal], outputs: &[Signal], states: &[String], system: &System) -> Vec<Variable> {
-    let first = inputs.len() + outputs.len();
+/// The variable table: inputs, outputs, the share of nonlinearity, states, derivatives of states by time.
+pub(super) fn variables(
+    [inputs, outputs]: [&[Signal]; 2],
+    amplitude: Option<&Amplitude>,
+    states: &[String],
+    system: &System,
+) -> Vec<Variable> {
+    let first = inputs.len() + outputs.len() + usize::from(amplitude.is_some());
     let follows_from = |unknown: Unknown| -> Vec<usize> {
         let given = (0..inputs.len()).map(|column| (column, Known::Input(column)));
         let own = (0..system.order()).map(|column| (first + column, Known::State(column)));
@@ -20,6 +26,16 @@ pub(super) fn variables(inputs: &[Signal], outputs: &[Signal], states: &[String]
     let found = outputs.iter().enumerate().map(|(row, signal)| {
         let from = follows_from(Unknown::Output(row));
         Variable { follows_from: from.clone(), ..signal.variable(Causality::Output, Some(from)) }
+    });
+    let share = amplitude.map(|amplitude| {
+        let from = (0..system.order()).filter(|state| amplitude.depends_on(*state)).map(|state| first + state);
+        let from: Vec<usize> = from.collect();
+        Variable {
+            causality: Causality::Output,
+            found_from: Some(from.clone()),
+            follows_from: from,
+            ..local(NAME.to_owned(), MEANING.to_owned())
+        }
     });
     let size = system.size(outputs.iter().map(|signal| signal.nominal.unwrap_or(1.0)));
     let own = (0..system.order()).map(|number| {
@@ -40,7 +56,7 @@ pub(super) fn variables(inputs: &[Signal], outputs: &[Signal], states: &[String]
             ..local(format!("state_rate[{}]", number + 1), meaning)
         }
     });
-    given.chain(found).chain(own).chain(rates).collect()
+    given.chain(found).chain(share).chain(own).chain(rates).collect()
 }
 
 /// A variable of the system itself.
@@ -89,8 +105,10 @@ impl Continuous for Unit {
         }
         if at_once {
             for (row, output) in self.state.outputs.iter_mut().enumerate() {
-                *output = self.outputs[row] + self.system.output(row, &self.state.z, &self.changes);
+                *output =
+                    result((&self.system, self.amplitude.as_ref()), &self.outputs, row, &self.state.z, &self.changes);
             }
+            self.look();
             self.state.ends.copy_from_slice(&self.state.values);
         }
         self.settled = at_once;

@@ -1,5 +1,6 @@
 //! The file of a linear system: a text in TOML with all digits, which `resources/` of its FMU holds.
 
+use super::amplitude::{Amplitude, MOST_KINDS};
 use super::matrix::Matrix;
 use crate::fmi::variable::{Causality, Quantity, Variability, Variable};
 use crate::fmi::{About, Credits, Failure, LogCategory, Value};
@@ -52,6 +53,8 @@ pub struct File {
     pub c: Matrix,
     /// `D`.
     pub d: Matrix,
+    /// How nonlinear the motions of its states are; none: that is not known.
+    pub amplitude: Option<Amplitude>,
 }
 
 impl Signal {
@@ -99,7 +102,8 @@ impl File {
             let states: Vec<String> = self.states.iter().map(|state| quoted(state)).collect();
             writeln!(text, "states = [{}]", states.join(", "))?;
         }
-        for (name, matrix) in [("a", &self.a), ("b", &self.b), ("c", &self.c), ("d", &self.d)] {
+        let own = [("a", &self.a), ("b", &self.b), ("c", &self.c), ("d", &self.d)];
+        for (name, matrix) in own.into_iter().chain(self.amplitude.iter().flat_map(Amplitude::parts)) {
             writeln!(text, "{name} = [")?;
             for row in 0..matrix.rows {
                 let row: Vec<String> =
@@ -203,6 +207,7 @@ impl<'a, 'b> Reader<'a, 'b> {
             b: self.matrix("b", order, inputs.len())?,
             c: self.matrix("c", outputs.len(), order)?,
             d: self.matrix("d", outputs.len(), inputs.len())?,
+            amplitude: self.amplitude(order)?,
             about,
             inputs,
             outputs,
@@ -277,6 +282,29 @@ impl<'a, 'b> Reader<'a, 'b> {
         };
         let states: Option<Vec<String>> = self.list("states")?.iter().map(text).collect();
         states.filter(|states| states.len() == order).ok_or_else(|| format!("`states` is not a list of {order} texts"))
+    }
+
+    /// How nonlinear motions are, where the file has it.
+    fn amplitude(&self, order: usize) -> Result<Option<Amplitude>, String> {
+        let [real, imaginary, linear, even, odd] = Amplitude::default().parts().map(|(key, _)| key);
+        if self.value(real).is_none() {
+            return Ok(None);
+        }
+        let motions = self.list(real)?.len();
+        let kinds = self.list(linear)?.first().map_or(0, |row| match row.get_ref() {
+            DeValue::Array(values) => values.len(),
+            _ => 0,
+        });
+        if motions == 0 || motions > order || kinds == 0 || kinds > MOST_KINDS {
+            return Err(format!("`{linear}` has {motions} rows with {kinds} numbers each, which it cannot have"));
+        }
+        Ok(Some(Amplitude {
+            real: self.matrix(real, motions, order)?,
+            imaginary: self.matrix(imaginary, motions, order)?,
+            linear: self.matrix(linear, motions, kinds)?,
+            even: self.matrix(even, motions, kinds)?,
+            odd: self.matrix(odd, motions, kinds)?,
+        }))
     }
 
     fn matrix(&self, key: &str, rows: usize, columns: usize) -> Result<Matrix, String> {

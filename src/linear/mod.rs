@@ -8,16 +8,19 @@
 //! an input that is set at a communication point acts from the next step on. In Model Exchange a host integrates the
 //! states, and outputs are those of the instant.
 
+mod amplitude;
 mod exchange;
 pub mod file;
 mod matrix;
 mod state;
 mod system;
 
+pub use self::amplitude::{Amplitude, MOST_KINDS};
 pub use self::file::{File, MOST_STATES, Signal};
 pub use self::matrix::Matrix;
 pub use self::state::State;
 
+use self::amplitude::{NAME, WARNED};
 use self::system::{Known, Stride, System, Unknown};
 use crate::fmi::continuous::Continuous;
 use crate::fmi::variable::Variable;
@@ -32,10 +35,12 @@ const TIME_ROUNDING: f64 = 4.0 * f64::EPSILON;
 pub struct Unit {
     about: About,
     variables: Vec<Variable>,
-    /// Values of the inputs and of the outputs in the state that the system is about.
+    /// Values of the inputs and of the outputs in the state that the system is about; the share of nonlinearity is the
+    /// last output.
     inputs: Vec<f64>,
     outputs: Vec<f64>,
     system: System,
+    amplitude: Option<Amplitude>,
     state: State,
     /// The state at the end of a step under way, and memory for it.
     next: Vec<f64>,
@@ -48,6 +53,16 @@ pub struct Unit {
     settled: bool,
     /// Where the step ends that has begun but is not taken, s.
     end: Option<f64>,
+    /// A warning that the motion is not small is given, or was: it is given once.
+    warned: Warned,
+}
+
+/// What has become of the warning of a motion that is not small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Warned {
+    No,
+    Now,
+    Before,
 }
 
 impl Unit {
@@ -65,13 +80,17 @@ impl Unit {
     /// # Errors
     /// Its numbers are too large.
     pub fn new(file: File) -> Result<Self, Failure> {
-        let File { about, inputs, outputs, states, a, b, c, d } = file;
+        let File { about, inputs, outputs, states, a, b, c, d, mut amplitude } = file;
         let system = System::new(a, b, c, d).ok_or_else(|| {
             wrong(String::from("the linear system has numbers that are too large; pack the FMU again"))
         })?;
-        let variables = exchange::variables(&inputs, &outputs, &states, &system);
+        let variables = exchange::variables([&inputs, &outputs], amplitude.as_ref(), &states, &system);
+        if let Some(amplitude) = &mut amplitude {
+            amplitude.scale(|state| system.unit(state));
+        }
         let values = |signals: &[Signal]| signals.iter().map(|signal| signal.value).collect::<Vec<f64>>();
-        let (inputs, outputs) = (values(&inputs), values(&outputs));
+        let (inputs, mut outputs) = (values(&inputs), values(&outputs));
+        outputs.extend(amplitude.is_some().then_some(0.0));
         let state = State::new(about.start, system.order(), &inputs, &outputs);
         Ok(Self {
             next: vec![0.0; system.order()],
@@ -85,8 +104,10 @@ impl Unit {
             inputs,
             outputs,
             system,
+            amplitude,
             state,
             end: None,
+            warned: Warned::No,
         })
     }
 
@@ -141,19 +162,50 @@ impl Unit {
             return Err(failure);
         }
         for (row, output) in self.state.outputs.iter_mut().enumerate() {
-            *output = self.outputs[row] + self.system.output(row, &self.next, &self.changes);
+            *output = result((&self.system, self.amplitude.as_ref()), &self.outputs, row, &self.next, &self.changes);
         }
         std::mem::swap(&mut self.state.z, &mut self.next);
         self.state.arrive(end, length, &self.ends);
         self.settled = false;
+        self.look();
         Ok(())
+    }
+
+    /// Warns once where the outputs are those of a motion that is not small.
+    fn look(&mut self) {
+        let share = self.amplitude.as_ref().and(self.state.outputs.last());
+        if self.warned == Warned::No && share.is_some_and(|share| *share > WARNED) {
+            self.warned = Warned::Now;
+        }
+    }
+
+    /// The values in the row of the output `row`: the derivative along a change of the state and of the inputs.
+    fn slope(&self, row: usize, change: &[f64], inputs: &[f64]) -> f64 {
+        match &self.amplitude {
+            Some(amplitude) if row + 1 == self.outputs.len() => amplitude.share_rate(&self.state.z, change),
+            _ => self.system.output(row, change, inputs),
+        }
     }
 
     /// An output of a state that is too large for a number.
     fn too_large(&self, state: &[f64], changes: &[f64]) -> Option<&str> {
-        let result = |row: usize| self.outputs[row] + self.system.output(row, state, changes);
+        let result = |row: usize| result((&self.system, self.amplitude.as_ref()), &self.outputs, row, state, changes);
         let row = (0..self.outputs.len()).find(|row| !result(*row).is_finite())?;
         Some(&self.variables[self.inputs.len() + row].name)
+    }
+}
+
+/// Output number `row`, about its value in `about`.
+fn result(
+    (system, amplitude): (&System, Option<&Amplitude>),
+    about: &[f64],
+    row: usize,
+    state: &[f64],
+    changes: &[f64],
+) -> f64 {
+    match amplitude {
+        Some(amplitude) if row + 1 == about.len() => amplitude.share(state),
+        _ => about[row] + system.output(row, state, changes),
     }
 }
 
@@ -221,10 +273,11 @@ impl Model for Unit {
             )));
         }
         let (z, changes) = (&self.state.z, &self.changes);
-        let result = |row: usize| self.outputs[row] + self.system.output(row, z, changes);
+        let result = |row: usize| result((&self.system, self.amplitude.as_ref()), &self.outputs, row, z, changes);
         let results: Vec<f64> = (0..self.outputs.len()).map(result).collect();
         self.state.begin(start, &results);
         (self.end, self.settled) = (None, false);
+        self.look();
         Ok(())
     }
 
@@ -267,7 +320,7 @@ impl Model for Unit {
         let row = self.output_named(reference)?;
         difference(&mut self.changes, &self.state.ends, &self.inputs);
         self.system.rate(&self.state.z, &self.changes, &mut self.rest);
-        Ok(self.system.output(row, &self.rest, &self.state.rates))
+        Ok(self.slope(row, &self.rest, &self.state.rates))
     }
 
     fn partial_derivative(&mut self, output: usize, input: usize) -> Result<f64, Failure> {
@@ -275,10 +328,13 @@ impl Model for Unit {
         match (self.input(input), self.state.length) {
             (None, _) => Err(wrong(String::from("results have derivatives by inputs only"))),
             (_, None) => Ok(0.0),
-            (Some(column), Some(length)) => self
-                .system
-                .sensitivity(row, column, length)
-                .ok_or_else(|| wrong(String::from("the last step is too long for a derivative; take shorter steps"))),
+            (Some(column), Some(length)) => {
+                let change = self.system.sensitivity(column, length).ok_or_else(|| {
+                    wrong(String::from("the last step is too long for a derivative; take shorter steps"))
+                })?;
+                let unit = |own: usize| if own == column { 1.0 } else { 0.0 };
+                Ok(self.slope(row, &change, &(0..self.inputs.len()).map(unit).collect::<Vec<f64>>()))
+            }
         }
     }
 
@@ -286,6 +342,13 @@ impl Model for Unit {
         let of = self.output(unknown).map(Unknown::Output).or_else(|| self.rate(unknown).map(Unknown::Rate));
         let by = self.input(known).map(Known::Input).or_else(|| self.state(known).map(Known::State));
         match (of, by) {
+            (Some(Unknown::Output(row)), Some(by)) if self.amplitude.is_some() && row + 1 == self.outputs.len() => {
+                let mut change = vec![0.0; self.system.order()];
+                if let Known::State(state) = by {
+                    change[state] = 1.0 / self.system.unit(state);
+                }
+                Ok(self.slope(row, &change, &[]))
+            }
             (Some(of), Some(by)) => Ok(self.system.slope(of, by)),
             _ => Err(wrong(String::from("outputs and rates of states have derivatives by inputs and states only"))),
         }
@@ -298,12 +361,22 @@ impl Model for Unit {
     fn conclude(&mut self) {}
 
     fn take_warnings(&mut self) -> Vec<String> {
-        Vec::new()
+        if self.warned != Warned::Now {
+            return Vec::new();
+        }
+        self.warned = Warned::Before;
+        let share = self.state.outputs.last().map_or(0.0, |share| 100.0 * share);
+        vec![format!(
+            "the motion is not small any more: at t = {} s nonlinearity, which this linear system leaves out, has an \
+             estimated share of {share:.1} % of the motion; compare it with the FMU of the mechanism. {NAME} has the \
+             share at any time, and this warning appears once",
+            self.state.time
+        )]
     }
 
     fn reset(&mut self) {
         self.state = State::new(self.about.start, self.system.order(), &self.inputs, &self.outputs);
-        (self.end, self.settled) = (None, false);
+        (self.end, self.settled, self.warned) = (None, false, Warned::No);
         self.rates.fill(0.0);
     }
 

@@ -142,14 +142,14 @@ impl System {
         self.c.row_times(row, state) + self.d.row_times(row, inputs)
     }
 
-    /// The derivative of output `row` at the end of a step by input `column` during it; none: the step is too long.
-    pub fn sensitivity(&mut self, row: usize, column: usize, length: f64) -> Option<f64> {
+    /// The derivative of the state at the end of a step by input `column` during it; none: the step is too long.
+    pub fn sensitivity(&mut self, column: usize, length: f64) -> Option<Vec<f64>> {
         let rounded = self.prepare(length)?;
         let mut change = self.steps[0].b.column(column).to_vec();
         let mut rest = self.b.column(column).to_vec();
         self.a.add_to(&change, 1.0, &mut rest);
         change.iter_mut().zip(rest).for_each(|(change, rate)| *change += (length - rounded) * rate);
-        Some(self.c.row_times(row, &change) + self.d.at(row, column))
+        Some(change)
     }
 
     /// Makes the matrices of a step the first ones; returns their length, to which its round-off belongs not.

@@ -89,6 +89,11 @@ impl<'a> Target<'a> {
         Ok(Self { path, format, standard: packing.fmi, libraries })
     }
 
+    /// Whether the file is an FMU.
+    pub fn is_fmu(&self) -> bool {
+        matches!(self.format, Format::Fmu)
+    }
+
     /// Writes a system of `simulation`.
     pub fn write(
         &self,

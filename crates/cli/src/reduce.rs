@@ -2,7 +2,7 @@
 
 use super::linear_file::{Packing, Target};
 use super::linearize::{self, Place};
-use super::{ModelArguments, Stop, failed, say, voice};
+use super::{ModelArguments, Stop, complain, failed, say, voice};
 use ancf14::fmi::Model;
 use ancf14::model::reduced::{Method, Reduced, Size};
 use ancf14_pack::small::Reduction;
@@ -68,7 +68,16 @@ pub fn reduce(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -
         Way::Modal => Method::Modal,
         Way::CraigBampton => Method::CraigBampton,
     };
-    let found = whole.reduce(&simulation, size, method).map_err(|failure| failed(&simulation, &failure))?;
+    let mut found = whole.reduce(&simulation, size, method).map_err(|failure| failed(&simulation, &failure))?;
+    if target.is_fmu() {
+        found.linear.measure_amplitude(&whole, &simulation);
+        if found.linear.amplitude.is_none() {
+            complain(
+                "warning: the FMU has no amplitude_error: how nonlinear motions are can be measured about an equilibrium \
+                 with vibrations that outputs show; compare it with the FMU of the mechanism at the largest amplitude",
+            );
+        }
+    }
     let name = simulation.about().name.clone();
     let version = env!("CARGO_PKG_VERSION");
     let system = System { linear: &found.linear, poles: &found.poles, model: &name, version };

@@ -62,6 +62,15 @@ pub fn write(out: &mut String, origin: &Origin, variables: &[Variable]) -> Resul
             writeln!(out, "reduced from {whole} states to {order}{kept}. The error of the reduction is {bound}.</p>")?;
         }
     }
+    if variables.iter().any(|variable| variable.name == "amplitude_error") {
+        writeln!(
+            out,
+            "<p><code>amplitude_error</code> is the estimated share of nonlinearity in the outputs at the present \
+             amplitude, measured by runs of the mechanism: 0.01 is 1 %. A warning appears once above that. The share has \
+             the size of the error over one or two periods; outputs with one unit are taken together, and the largest \
+             share counts.</p>"
+        )?;
+    }
     for warning in warnings {
         writeln!(out, "<p>Warning: {}.</p>", escape(warning.trim_end_matches('.')))?;
     }

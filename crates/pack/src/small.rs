@@ -3,7 +3,8 @@
 use crate::error::Error;
 use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::fmi::{About, Model};
-use ancf14::linear::{File, MOST_STATES, Matrix, Signal, Unit};
+use ancf14::linear::{Amplitude, File, MOST_KINDS, MOST_STATES, Matrix, Signal, Unit};
+use ancf14::model::amplitude::{Amplitude as Measured, Motion};
 use ancf14::model::linear::{self, Linear, Pole};
 use ancf14::model::simulation::Simulation;
 use ancf14::model::steady::{Frame, Steady};
@@ -93,13 +94,30 @@ impl Small {
         let inputs = signals(&linear.inputs, Causality::Input);
         let outputs = signals(&linear.outputs, Causality::Output);
         let states = linear.states.iter().map(meaning).collect();
-        let file = File { about, inputs, outputs, states, a, b, c, d };
+        let amplitude = linear.amplitude.as_ref().map(amplitude);
+        let file = File { about, inputs, outputs, states, a, b, c, d, amplitude };
         let text = file.text();
         let unit = Unit::load("the linear system", &text).map_err(|failure| Error::Linear(failure.message))?;
         let poles = poles.iter().map(|pole| pole.value).collect();
         let warnings = linear.warnings.clone();
         let origin = Origin { model: model.name.clone(), state, order, reduction, poles, warnings };
         Ok(Self { unit, text, origin })
+    }
+}
+
+/// How nonlinear motions are, as the file has it.
+fn amplitude(Measured { motions }: &Measured) -> Amplitude {
+    let matrix = |own: fn(&Motion) -> &[f64], most: usize| {
+        let columns = motions.first().map_or(0, |motion| own(motion).len()).min(most);
+        let column = |column: usize| motions.iter().map(move |motion| own(motion)[column]);
+        Matrix { rows: motions.len(), columns, values: (0..columns).flat_map(column).collect() }
+    };
+    Amplitude {
+        real: matrix(|own| &own.weights[0], usize::MAX),
+        imaginary: matrix(|own| &own.weights[1], usize::MAX),
+        linear: matrix(|own| &own.linear, MOST_KINDS),
+        even: matrix(|own| &own.even, MOST_KINDS),
+        odd: matrix(|own| &own.odd, MOST_KINDS),
     }
 }
 

@@ -165,9 +165,11 @@ impl<M: Model> Instance<M> {
             _ => return Ok(()),
         };
         match self.model.continuous() {
-            Some(model) => Ok(model.evaluate(inputs)?),
-            None => Ok(()),
+            Some(model) => model.evaluate(inputs)?,
+            None => return Ok(()),
         }
+        self.pass_on_warnings();
+        Ok(())
     }
 
     /// Whether the derivatives that can be asked for now are those of an instant.

@@ -49,6 +49,7 @@ fn reduced_systems_are_packed() {
         let output = ancf14(directory.path(), &all);
         assert!(output.status.success(), "{}", text(&output.stderr));
         assert!(text(&output.stdout).contains("small.fmu"), "{}", text(&output.stdout));
+        assert!(!text(&output.stderr).contains("amplitude_error"), "{}", text(&output.stderr));
         let archive = fs::read(directory.path().join("small.fmu")).unwrap();
         let library = format!("binaries/{folder}/");
         for name in ["resources/linear.toml", "modelDescription.xml", "documentation/index.html", &library] {
@@ -57,6 +58,23 @@ fn reduced_systems_are_packed() {
         assert!(!has(&archive, "resources/model.toml"));
         let again = ancf14(directory.path(), &all);
         assert!(again.status.success() && fs::read(directory.path().join("small.fmu")).unwrap() == archive);
+    }
+}
+
+/// About a state that falls no amplitude can be measured: it is told, for an FMU only.
+#[test]
+fn states_without_an_amplitude_error_are_told() {
+    let directory = folder();
+    fs::write(directory.path().join("arm.toml"), ARM.replace("gravity = [0, 0, 0]", "gravity = [0, 0, -9.81]"))
+        .unwrap();
+    for (file, told) in [("small.fmu", true), ("small.npz", false)] {
+        let mut all = vec!["reduce", "arm.toml", "--inputs", "push.force[3]", "--outputs", "tip.displacement[3]"];
+        all.extend(["-o", file]);
+        all.extend(if told { &["--library", "library.so"][..] } else { &[] });
+        let output = ancf14(directory.path(), &all);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let words = "warning: the FMU has no amplitude_error";
+        assert_eq!(text(&output.stderr).contains(words), told, "{}", text(&output.stderr));
     }
 }
 

@@ -2,15 +2,20 @@
 //! from? A mechanism must not: no host can integrate it.
 
 use ancf14::fmi::{About, Model};
-use ancf14::linear::{File, Matrix, Signal, Unit};
+use ancf14::linear::{Amplitude, File, Matrix, Signal, Unit};
 use ancf14_pack::{description, description_fmi3};
 use ancf14_testing::toy;
 
 /// `x' = v`, `v' = −4 x + u` with the output `x`, of nominal value 0.5.
 fn oscillator() -> Unit {
+    unit(None)
+}
+
+fn unit(amplitude: Option<Amplitude>) -> Unit {
     let column = |values: &[f64]| Matrix { rows: values.len(), columns: 1, values: values.to_vec() };
     let signal = |name: &str| Signal { name: name.to_owned(), unit: "m".to_owned(), ..Signal::default() };
     let file = File {
+        amplitude,
         about: About {
             name: "Oscillator".to_owned(),
             identifier: "oscillator".to_owned(),
@@ -37,6 +42,36 @@ fn has_in_order(xml: &str, lines: &[&str]) {
         let at = rest.find(line).unwrap_or_else(|| panic!("{line} is missing, or not in its order, in\n{xml}"));
         rest = &rest[at + line.len()..];
     }
+}
+
+/// The share of nonlinearity is an output of both standards that follows from the states.
+#[test]
+fn the_share_of_nonlinearity_is_an_output() {
+    let one = Matrix { rows: 1, columns: 1, values: vec![1.0] };
+    let row = |values: [f64; 2]| Matrix { rows: 1, columns: 2, values: values.to_vec() };
+    let (linear, even, odd) = (one.clone(), one.clone(), one);
+    let unit = unit(Some(Amplitude { real: row([1.0, 0.0]), imaginary: row([0.0, 0.5]), linear, even, odd }));
+    let xml = description::xml(unit.about(), unit.variables()).unwrap();
+    has_in_order(
+        &xml,
+        &[
+            r#"name="amplitude_error" valueReference="2" description="Estimated share of nonlinearity in the outputs at the present amplitude" causality="output" variability="continuous" initial="calculated">"#,
+            r#"name="state[1]" valueReference="3""#,
+            "<Outputs>",
+            r#"<Unknown index="3" dependencies="4 5"/>"#,
+            "<InitialUnknowns>",
+            r#"<Unknown index="3" dependencies="4 5"/>"#,
+        ],
+    );
+    let xml = description_fmi3::xml(unit.about(), unit.variables()).unwrap();
+    has_in_order(
+        &xml,
+        &[
+            r#"name="amplitude_error" valueReference="2""#,
+            r#"<Output valueReference="2" dependencies="3"/>"#,
+            r#"<InitialUnknown valueReference="2" dependencies="3"/>"#,
+        ],
+    );
 }
 
 #[test]

@@ -42,7 +42,7 @@ pub(super) struct Given {
     /// Value and rate of a motion, which are states: names, units, values now.
     pub states: Option<[(String, String, f64); 2]>,
     /// The variable of a host that it stands for; empty: none.
-    variable: String,
+    pub variable: String,
     change: Change,
 }
 

@@ -1,5 +1,6 @@
 //! The linear system about the state that a simulation has reached, as plain data: what `ancf14 linearize` writes.
 
+use super::amplitude::Amplitude;
 use super::given::{Asked, is_part_of};
 use super::{Simulation, failure, wrong};
 use crate::fmi::Failure;
@@ -71,6 +72,8 @@ pub struct Linear {
     pub warnings: Vec<String>,
     /// The steady rotation that it is about; none: a state.
     pub steady: Option<Steady>,
+    /// What it estimates its own error by; none: that was not measured, see [`Self::measure_amplitude`].
+    pub amplitude: Option<Amplitude>,
     base: Base,
     selection: Selection,
 }
@@ -137,6 +140,7 @@ impl Simulation {
             b,
             c,
             d,
+            amplitude: None,
             base,
             selection,
         };
@@ -216,7 +220,7 @@ impl Simulation {
     }
 
     /// The numbers of the results that `wanted` names; none: all quantities of outputs.
-    fn linear_outputs(&self, wanted: Option<&[String]>) -> Result<Vec<usize>, Failure> {
+    pub(super) fn linear_outputs(&self, wanted: Option<&[String]>) -> Result<Vec<usize>, Failure> {
         let Some(wanted) = wanted else {
             let is_shown = self.table.shown_results();
             let numbers = self.table.quantities().flat_map(|(_, numbers)| numbers);
@@ -267,6 +271,25 @@ impl Linear {
     pub(super) fn second_order(&self, simulation: &Simulation, matrices: &StateSpace) -> Result<SecondOrder, Failure> {
         let found = SecondOrder::new(simulation.system(), &self.base, &self.selection, matrices);
         found.map_err(|error| failure(&error))
+    }
+
+    /// Whether nothing moves in the state that the system is about, and all forces balance.
+    pub(super) fn is_still(&self) -> bool {
+        self.base.is_still
+    }
+
+    /// The largest static response of the coordinates to a unit of an input, of positions over the size of the mechanism;
+    /// not a number, or infinite, where nothing holds a motion.
+    pub(super) fn static_reach(&self, simulation: &Simulation, input: usize) -> f64 {
+        let (free, own) = (self.selection.chosen.len(), (0..2 * self.selection.chosen.len()).collect::<Vec<_>>());
+        let held = self.a.columns_at(0..2 * free).rows_of(&own).solve(&self.b.columns_at([input]).rows_of(&own));
+        let moved = self.selection.shapes.times(&held.column(0)[..free]);
+        simulation.system().correction_size(&moved).0
+    }
+
+    /// The state that the system is about.
+    pub(super) fn base_state(&self) -> &State {
+        &self.base.state
     }
 
     /// Whether nothing moves in the state that the system is about.

@@ -1,5 +1,6 @@
 //! Linear systems as units: what the small FMU of a reduced mechanism computes.
 
+mod amplitude;
 mod damage;
 mod exchange;
 mod exchange_calls;
@@ -34,6 +35,7 @@ const Y0: [f64; 3] = [0.5, -2.0, 11.0];
 fn oscillator() -> File {
     let (stiffness, damping) = (OMEGA * OMEGA, 2.0 * ZETA * OMEGA);
     File {
+        amplitude: None,
         about: About {
             name: "Oscillator \"1\"\\\n\u{e9}".to_owned(),
             identifier: "oscillator".to_owned(),
