@@ -57,7 +57,7 @@ pub struct Unit {
     warned: Warned,
 }
 
-/// What has become of the warning of a motion that is not small.
+/// Whether the warning of a motion that is not small is due.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Warned {
     No,

@@ -17,7 +17,7 @@ pub mod verification;
 pub mod view;
 
 pub use file::{document, entries, quantity};
-pub use run::simulation::{amplitude, campbell, linear, reduced, steady};
+pub use run::simulation::{campbell, linear, reduced, steady};
 pub use run::{accuracy, derived, effort, missed_damping, ranges, rows, simulation, step_length};
 pub use text::names;
 pub use validate::notes;

@@ -4,8 +4,7 @@ use crate::error::Error;
 use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::fmi::{About, Model};
 use ancf14::linear::{Amplitude, File, MOST_KINDS, MOST_STATES, Matrix, Signal, Unit};
-use ancf14::model::amplitude::{Amplitude as Measured, Motion};
-use ancf14::model::linear::{self, Linear, Pole};
+use ancf14::model::linear::{self, Linear, Motion, Pole};
 use ancf14::model::simulation::Simulation;
 use ancf14::model::steady::{Frame, Steady};
 
@@ -106,7 +105,7 @@ impl Small {
 }
 
 /// How nonlinear motions are, as the file has it.
-fn amplitude(Measured { motions }: &Measured) -> Amplitude {
+fn amplitude(linear::Amplitude { motions }: &linear::Amplitude) -> Amplitude {
     let matrix = |own: fn(&Motion) -> &[f64], most: usize| {
         let columns = motions.first().map_or(0, |motion| own(motion).len()).min(most);
         let column = |column: usize| motions.iter().map(move |motion| own(motion)[column]);

@@ -1,6 +1,6 @@
 //! A mechanism that runs: an [`fmi::Model`](crate::fmi::Model), and what `ancf14 run` drives too.
 
-pub mod amplitude;
+mod amplitude;
 mod at_instant;
 pub mod campbell;
 mod companion;

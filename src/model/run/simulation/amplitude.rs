@@ -7,7 +7,7 @@
 //! Motions that a host prescribes are measured by equilibria with other values.
 
 use super::given::Given;
-use super::linear::{Linear, Pole, PoleKind, Signal};
+use super::linear::{Amplitude, Linear, Motion, Pole, PoleKind, Signal};
 use super::solver::Solver;
 use super::{Simulation, Snapshot};
 use crate::fmi::{Model, Value};
@@ -40,26 +40,6 @@ const ROWS: usize = 24;
 const STEPS: f64 = 5.0;
 /// The equilibrium where a run begins is the one of the linear system up to this distance.
 const THERE: f64 = 1e-6;
-
-/// What a linear system estimates its own error by. Outputs with one unit are taken together.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Amplitude {
-    /// Its motions.
-    pub motions: Vec<Motion>,
-}
-
-/// A motion of the states, and what it does to the outputs: to those of each unit a number.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Motion {
-    /// Its amplitude is the size of the sum of the states times these complex numbers.
-    pub weights: [Vec<f64>; 2],
-    /// The change of the outputs over the amplitude.
-    pub linear: Vec<f64>,
-    /// The part of their nonlinear change that is alike for both signs, over the square of the amplitude.
-    pub even: Vec<f64>,
-    /// The other part, over the third power of the amplitude.
-    pub odd: Vec<f64>,
-}
 
 /// Sizes of the parts of a motion's outputs, for each unit.
 #[derive(Clone, Debug, Default)]

@@ -1,6 +1,5 @@
 //! The linear system about the state that a simulation has reached, as plain data: what `ancf14 linearize` writes.
 
-use super::amplitude::Amplitude;
 use super::given::{Asked, is_part_of};
 use super::{Simulation, failure, wrong};
 use crate::fmi::Failure;
@@ -48,6 +47,26 @@ pub struct Steady {
     pub frame: Frame,
 }
 
+/// Numbers by which a linear system estimates its own error. Outputs with one unit are taken together.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Amplitude {
+    /// Its motions.
+    pub motions: Vec<Motion>,
+}
+
+/// A motion of the states, and what it does to the outputs: to those of each unit a number.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// Its amplitude is the size of the sum of the states times these complex numbers.
+    pub weights: [Vec<f64>; 2],
+    /// The change of the outputs over the amplitude.
+    pub linear: Vec<f64>,
+    /// The part of their nonlinear change that is alike for both signs, over the square of the amplitude.
+    pub even: Vec<f64>,
+    /// The other part, over the third power of the amplitude.
+    pub odd: Vec<f64>,
+}
+
 /// `dx/dt = A x + B (u − u₀)`, `y − y₀ = C x + D (u − u₀)` about a state.
 #[derive(Clone, Debug)]
 pub struct Linear {
@@ -72,7 +91,7 @@ pub struct Linear {
     pub warnings: Vec<String>,
     /// The steady rotation that it is about; none: a state.
     pub steady: Option<Steady>,
-    /// What it estimates its own error by; none: that was not measured, see [`Self::measure_amplitude`].
+    /// Numbers by which it estimates its own error; none: they were not measured, see [`Self::measure_amplitude`].
     pub amplitude: Option<Amplitude>,
     base: Base,
     selection: Selection,

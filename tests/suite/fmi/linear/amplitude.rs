@@ -84,7 +84,7 @@ fn the_share_is_an_output() {
     }
 }
 
-/// In co-simulation the share is that of the end of the step, its derivatives too, and no memory is asked for.
+/// The share in co-simulation is that of the end of the step, its derivatives too, and no memory is asked for.
 #[test]
 fn steps_end_with_the_share() {
     let mut instance = begun(nonlinear());
@@ -104,7 +104,7 @@ fn steps_end_with_the_share() {
         let exact = (at(1e-7) - at(-1e-7)) / 2e-7;
         assert!((rate[0] - exact).abs() < 1e-6 * (1.0 + exact.abs()), "{rate:?} {exact}");
     }
-    // By the input during the last step, 1e-5 s: it moves the rate.
+    // The input during the last step, 1e-5 s, moves the rate.
     let mut change = [f64::NAN];
     instance.directional_derivative(&[SHARE], &[0], &[1.0], &mut change).unwrap();
     let [x, v] = outputs::<2>(&mut instance, 5);
@@ -153,7 +153,7 @@ fn a_warning_appears_once() {
 #[test]
 fn odd_files_and_amplitudes() {
     let mut instance = exchange(Standard::Fmi2);
-    instance.set_continuous_states(&[1e120, 0.0]).unwrap();
+    instance.set_continuous_states(&[1e160, 0.0]).unwrap();
     assert_eq!(outputs::<1>(&mut instance, SHARE), [1.0]);
     let text = nonlinear().text();
     for (from, to) in
@@ -307,7 +307,7 @@ fn estimates_of_forced_motions_are_near_the_truth() {
 /// A motor that turns, and a crane whose foot moves: the foot alone is linear, the load that swings is not.
 #[test]
 fn estimates_of_prescribed_motions_are_near_the_truth() {
-    // From 0 to 1, with its acceleration.
+    // A way that goes smoothly from 0 to 1, with its acceleration.
     let way = |omega: f64| {
         move |time: f64| match omega * time {
             phase if phase < TAU => [(phase - phase.sin()) / TAU, omega * omega * phase.sin() / TAU],
