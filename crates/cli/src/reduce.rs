@@ -73,8 +73,9 @@ pub fn reduce(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -
         found.linear.measure_amplitude(&whole, &simulation);
         if found.linear.amplitude.is_none() {
             complain(
-                "warning: the FMU has no amplitude_error: how nonlinear motions are can be measured about an equilibrium \
-                 with vibrations that outputs show; compare it with the FMU of the mechanism at the largest amplitude",
+                "warning: the FMU has no amplitude_error: how nonlinear motions are can be measured about an \
+                 equilibrium with vibrations that outputs show; \
+                 compare it with the FMU of the mechanism at the largest amplitude",
             );
         }
     }

@@ -66,9 +66,9 @@ pub fn write(out: &mut String, origin: &Origin, variables: &[Variable]) -> Resul
         writeln!(
             out,
             "<p><code>amplitude_error</code> is the estimated share of nonlinearity in the outputs at the present \
-             amplitude, measured by runs of the mechanism: 0.01 is 1 %. A warning appears once above that. The share has \
-             the size of the error over one or two periods; outputs with one unit are taken together, and the largest \
-             share counts.</p>"
+             amplitude, measured by runs of the mechanism: 0.01 is 1 %. A warning appears once above that. The share \
+             has the size of the error over one or two periods; outputs with one unit are taken together, and the \
+             largest share counts.</p>"
         )?;
     }
     for warning in warnings {

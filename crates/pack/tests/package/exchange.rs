@@ -55,7 +55,8 @@ fn the_share_of_nonlinearity_is_an_output() {
     has_in_order(
         &xml,
         &[
-            r#"name="amplitude_error" valueReference="2" description="Estimated share of nonlinearity in the outputs at the present amplitude" causality="output" variability="continuous" initial="calculated">"#,
+            r#"name="amplitude_error" valueReference="2" description="Estimated share of nonlinearity in the outputs"#,
+            r#"causality="output" variability="continuous" initial="calculated">"#,
             r#"name="state[1]" valueReference="3""#,
             "<Outputs>",
             r#"<Unknown index="3" dependencies="4 5"/>"#,

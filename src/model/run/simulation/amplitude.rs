@@ -1,7 +1,7 @@
 //! How nonlinear motions are: what a linear system estimates its own error by.
 //!
-//! Nonlinear runs measure it. Each begins in the state that the system is about, with the velocities of a vibration, and
-//! takes one period. Coordinates that start unmoved need no correction: a beam that is displaced along a linear shape
+//! Nonlinear runs measure it. Each begins in the state that the system is about, with the velocities of a vibration,
+//! and takes one period. Coordinates that start unmoved need no correction: a beam that is displaced along a linear shape
 //! would be stretched, while one that is struck finds its own way. Runs with four amplitudes, `±a` and `±a/2`, tell the
 //! parts of outputs that grow with the second and the third power, without the errors of steps, which are linear.
 //! Motions that a host prescribes are measured by equilibria with other values.
@@ -161,8 +161,8 @@ fn measured(linear: &Linear, whole: &Linear, simulation: &Simulation) -> Option<
 }
 
 impl Motion {
-    /// Raises the nonlinear parts to those of a motion that was measured, at its own amplitude. It is told by the outputs
-    /// that it moves most, over the `largest` of all motions.
+    /// Raises the nonlinear parts to those of a motion that was measured, at its own amplitude. It is told by the
+    /// outputs that it moves most, over the `largest` of all motions.
     fn raise(&mut self, parts: &Parts, largest: &[f64]) {
         let share = |kind: &usize| self.linear[*kind] / largest[*kind];
         let kinds = (0..largest.len()).filter(|kind| parts.is_seen(*kind) && largest[*kind] > 0.0);

@@ -175,8 +175,8 @@ fn small(model: &Simulation, inputs: &[&str], outputs: &[&str], size: Size) -> S
     Small::new(model, &linear, &poles, Some(Reduction { whole, kept, bound, error })).unwrap()
 }
 
-/// A run of the mechanism and of its small unit: the input of the mechanism, the one of the unit, and the outputs, which
-/// have one unit.
+/// A run of the mechanism and of its small unit: the input of the mechanism, the one of the unit, and the outputs,
+/// which have one unit.
 struct Pair<'a> {
     small: &'a Small,
     text: &'a str,
@@ -186,8 +186,8 @@ struct Pair<'a> {
 }
 
 impl Pair<'_> {
-    /// The largest error of the outputs over the largest motion, the largest estimate, and that motion, where `signal` is the change
-    /// of both inputs by time.
+    /// The largest error of the outputs over the largest motion, the largest estimate, and that motion, where
+    /// `signal` is the change of both inputs by time.
     fn shares(&self, signal: impl Fn(f64) -> [f64; 2]) -> [f64; 3] {
         let mut linear = begun(File::read("linear.toml", &self.small.text).unwrap());
         let full = Simulation::load("model.toml", self.text, &[]).unwrap();
@@ -241,7 +241,7 @@ section.rod = { shape = "rectangle", width = 0.02, height = 0.01 }
 "#;
 
 const ARM: &str = r#"model = { name = "Arm", gravity = [0, 0, 0] }
-beam.arm = { material = "steel", section = "rod", from = [0, 0, 0], to = [1, 0, 0], elements = 8, rotary_inertia = false }
+beam.arm = { material = "steel", section = "rod", from = [0, 0, 0], to = [1, 0, 0], elements = 8 }
 joint.root = { type = "weld", a = "ground", b = "arm.start" }
 load.push = { at = "arm.end", force = [0, 0, 0], input = true }
 output.tip = { at = "arm.end", quantities = ["position", "velocity"] }
