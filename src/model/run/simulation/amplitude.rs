@@ -1,10 +1,10 @@
 //! How nonlinear motions are: what a linear system estimates its own error by.
 //!
 //! Nonlinear runs measure it. Each begins in the state that the system is about, with the velocities of a vibration,
-//! and takes one period. Coordinates that start unmoved need no correction: a beam that is displaced along a linear shape
-//! would be stretched, while one that is struck finds its own way. Runs with four amplitudes, `±a` and `±a/2`, tell the
-//! parts of outputs that grow with the second and the third power, without the errors of steps, which are linear.
-//! Motions that a host prescribes are measured by equilibria with other values.
+//! and takes one period. Coordinates that start unmoved need no correction: a beam that is displaced along a linear
+//! shape would be stretched, while one that is struck finds its own way. Runs with four amplitudes, `±a` and `±a/2`,
+//! tell the parts of outputs that grow with the second and the third power, without the errors of steps, which are
+//! linear. Motions that a host prescribes, and forces, are measured by equilibria with other values.
 
 use super::given::Given;
 use super::linear::{Amplitude, Linear, Motion, Pole, PoleKind, Signal};
