@@ -77,12 +77,11 @@ impl Level {
     /// do not fill the time between two rows, they fill that between three, or the steps would not all be twice as
     /// long.
     pub fn stride(self, document: &Document) -> u64 {
-        if matches!(document.simulation.steps, Steps::ForAccuracy(_)) {
-            return 1;
-        }
         let steps = document.output_step() / (2.0 * taken_step(document));
         let is_whole = (steps - steps.round()).abs() < WHOLE;
-        if self == Self::DoubleStep && !is_whole { 2 } else { 1 }
+        // Rows may bound steps that the solver chooses.
+        let are_bound = matches!(document.simulation.steps, Steps::ForAccuracy(_)) || !is_whole;
+        if self == Self::DoubleStep && are_bound { 2 } else { 1 }
     }
 }
 
@@ -106,9 +105,8 @@ pub fn steps(document: &Document, factor: f64) -> Vec<Override> {
         }
     };
     let Some(pacing) = document.pacing(0.0) else { return vec![own] };
-    // Whole steps fill the time between two rows.
     let row = document.output_step();
-    let longest = factor * row / (row / pacing.longest_of_all() - WHOLE).ceil().max(1.0);
+    let longest = factor * row / pacing.count(row, pacing.longest_of_all());
     let has_bound = document.simulation.longest_step.is_some() || factor < 1.0;
     let bound = has_bound.then(|| (String::from("simulation.longest_step"), shortened(longest)));
     std::iter::once(own).chain(bound).collect()

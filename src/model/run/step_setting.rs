@@ -9,12 +9,12 @@ pub enum Setting {
     Step(f64),
     /// The accuracy asked for.
     Accuracy(f64),
-    /// The longest of the steps that rows of results bound, s: a smaller accuracy would not shorten these.
+    /// The longest of the steps that their errors do not bound, s: a smaller accuracy would not shorten these.
     Longest(f64),
 }
 
 impl Setting {
-    /// What it should be for an error that is `factor` times as large, in words. Errors grow as the square of the
+    /// Its value for an error that is `factor` times as large, in words. Errors grow as the square of the
     /// steps, and as the accuracy.
     pub fn proposed(self, factor: f64) -> String {
         match self {
@@ -30,7 +30,7 @@ impl Setting {
         match self {
             Self::Step(_) => "simulation.step",
             Self::Accuracy(_) => "simulation.accuracy",
-            Self::Longest(_) => "simulation.longest_step",
+            Self::Longest(_) => "simulation.longest_step in the model file",
         }
     }
 }

@@ -69,7 +69,8 @@ pub enum Order {
 impl Order {
     fn of(pair: Pair, known: f64, round_off: f64) -> Self {
         match pair {
-            Pair { coarse: Some(coarse), fine: Some(fine) } if fine > round_off => {
+            // Two runs that do not differ at all are one and the same.
+            Pair { coarse: Some(coarse), fine: Some(fine) } if fine > round_off && coarse > 0.0 => {
                 Self::Observed((coarse.max(round_off) / fine).log2())
             }
             _ => Self::Assumed(known),

@@ -9,9 +9,9 @@ use crate::mechanics::system::System;
 use crate::solve::newton::Problem;
 use crate::solve::newton::kkt::Kkt;
 
-/// A first correction by a fast tangent that is larger than `ABSURD` says nothing of the equilibrium: what is slack as
-/// drawn would turn many times, where stretching by its own sag holds it after some degrees. From there on corrections
-/// are no larger than `CAUTIOUS`. Lengths over the system's size, slopes and angles in rad.
+/// A first correction by a fast tangent that is larger than `ABSURD` says nothing of the equilibrium. A slack rod
+/// between clamps would turn many times, where its own stretching holds it after some degrees. The corrections are then
+/// no larger than `CAUTIOUS`. Lengths over the system's size, slopes and angles in rad.
 const ABSURD: f64 = 2.0;
 const CAUTIOUS: f64 = 0.25;
 

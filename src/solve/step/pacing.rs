@@ -192,8 +192,7 @@ impl Pacing {
             let ahead = boundary.min(state.time + 2.0 * STRETCH * wanted);
             let boundary = system.switch_between(state.time, ahead, margin).unwrap_or(boundary);
             let remaining = boundary - state.time;
-            let fewest = remaining / (BEYOND * self.longest);
-            let count = (remaining / (STRETCH * wanted)).max(fewest).ceil().max(1.0);
+            let count = self.count(remaining, wanted);
             let step = remaining / count;
             let step_end = if count == 1.0 { boundary } else { state.time + step };
             let sight = if step_end == boundary && boundary < end { Sight::Changes } else { Sight::Pulses };
@@ -234,6 +233,12 @@ impl Pacing {
         // Results show what holds from this instant on.
         integrator.switch(system, state, state.time + AT_BREAK * shortest)?;
         Ok(state.time >= end)
+    }
+
+    /// Number of equal steps, each about `wanted` s long, that fill a `way`, s.
+    pub fn count(self, way: f64, wanted: f64) -> f64 {
+        let fewest = way / (BEYOND * self.longest);
+        (way / (STRETCH * wanted)).max(fewest).ceil().max(1.0)
     }
 
     /// Length of the next step unless it ends earlier, s.

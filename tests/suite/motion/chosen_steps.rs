@@ -286,8 +286,8 @@ fn steps_are_no_longer_than_asked_for() {
     }
 }
 
-/// Where rows bound the steps, a smaller accuracy would change nothing: a warning names the longest step, and a run
-/// with the number that it advises needs no warning.
+/// A smaller accuracy would not shorten steps that rows bound. A warning names the longest step instead, and a run with
+/// the number that it advises needs no warning.
 #[test]
 fn advice_names_what_bounds_the_steps() {
     let warned = |settings: &str| {
@@ -297,7 +297,7 @@ fn advice_names_what_bounds_the_steps() {
         (found, simulation.take_warnings().join("\n"))
     };
     let (found, warning) = warned("accuracy = 0.1");
-    let advised = warning.split("take a smaller simulation.longest_step: ").nth(1).expect(&warning);
+    let advised = warning.split("take a smaller simulation.longest_step in the model file: ").nth(1).expect(&warning);
     let advised = advised.split(' ').next().unwrap();
     let (better, nothing) = warned(&format!("accuracy = 0.1\nlongest_step = {advised}"));
     assert!(found > 0.005 && better < 0.0035 && nothing.is_empty(), "{found} {better} {nothing}");

@@ -199,6 +199,25 @@ fn half_the_step_is_half_of_what_is_taken() {
     assert!((order - 2.0).abs() < 0.3, "{order}");
 }
 
+/// Rows may bound the steps that the solver chooses: half of them, and twice as long ones, still show the order. The
+/// remedy names the longest step. A run with the remedy needs none.
+#[test]
+fn steps_that_rows_bound_are_verified() {
+    let text = "format = 1\n[model]\nname = \"Oscillator\"\n[body.b]\nmass = 1\nposition = [0, 0, -1]\n\
+                inertia = [0.1, 0.1, 0.1]\nvelocity = [0, 0, 1]\n[frame.hook]\nposition = [0, 0, 0]\n\
+                [spring.coil]\na = \"hook\"\nb = \"b\"\nstiffness = 1000\n\
+                [output.way]\nat = \"b\"\nquantities = [\"displacement\"]\n\
+                [simulation]\nstop = 1\noutput_step = 2.5e-3\naccuracy = 0.1\n";
+    let report = verified(text, &[], WANTED);
+    let order = row(&report, "way.displacement[3]").estimate.order;
+    assert!((order.value() - 2.0).abs() < 0.1, "{order:?}");
+    let remedy = report.remedy.expect("a remedy");
+    assert!(remedy.iter().any(|setting| setting.starts_with("simulation.longest_step = ")), "{remedy:?}");
+    let settings: Vec<_> = remedy.iter().filter_map(|setting| setting.split_once(" = ")).collect();
+    let better = verified(text, &settings, WANTED);
+    assert_eq!(better.remedy, Some(Vec::new()));
+}
+
 /// What the user overrides holds in all runs; what a level sets replaces it.
 #[test]
 fn overrides_of_the_user_hold() {

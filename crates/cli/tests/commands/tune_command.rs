@@ -44,9 +44,9 @@ const MOUNT: &str = "format = 1\n[model]\nname = \"Mount\"\ngravity = [0, 0, -9.
         rotational_stiffness = [1e2, 1e2, 1e2]\n[output.motion]\nat = \"mass\"\nquantities = [\"position\"]\n\
     [simulation]\nstop = 5\noutput_step = 0.25\naccuracy = 0.03 # coarse\n";
 
-/// Steps that are divided are written as an accuracy, whose value is replaced where it stands, and as their longest
-/// one. They end elsewhere: the command says by how much results differ. A file that gives everything, and a pipe, are
-/// refused.
+/// Steps that are divided are written as an accuracy and as their longest one. The accuracy of the file is replaced
+/// where it stands. The steps end elsewhere, and the command says by how much results differ. A file that gives
+/// everything, and a pipe, are refused.
 #[test]
 fn divided_steps_become_an_accuracy() {
     let directory = tempfile::tempdir().unwrap();
@@ -81,7 +81,7 @@ fn steps_that_rows_bound_are_divided() {
     let mount =
         MOUNT.replace("stop = 5\noutput_step = 0.25\naccuracy = 0.03", "stop = 2\noutput_step = 0.02\naccuracy = 0.1");
     fs::write(path.join("m.toml"), mount).unwrap();
-    // Without the longest step the file is off by ten times as much.
+    // The file would be off by ten times as much if it had no longest step.
     let told = done(path, &["tune", "m.toml", "-o", "t.toml"]);
     let distance = told.split("finest run by about ").nth(1).and_then(|rest| rest.split(' ').next());
     assert!(distance.unwrap().parse::<f64>().unwrap() < 0.05, "{told}");

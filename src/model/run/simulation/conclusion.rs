@@ -11,7 +11,7 @@ use crate::solve::step::tally::Limit;
 
 /// A run of so many steps says why.
 const MANY_STEPS: u64 = 20_000;
-/// Rows of results that bound more than this share of the steps are what makes them as short as they are.
+/// Where rows and other limits than errors hold more than this share of the steps, a smaller accuracy does not help.
 const MOST: f64 = 0.5;
 /// A reason that holds a smaller share of the steps is not told.
 const LEAST_SHARE: f64 = 0.05;
@@ -101,9 +101,9 @@ impl Simulation {
         let Runner { pacing, state, start, solver, .. } = &self.runner;
         let Some(pacing) = pacing else { return Setting::Step(state.time_error.step) };
         let tally = if let Solver::Midpoint(midpoint) = solver { midpoint.limits() } else { None };
-        let are_bound_by_rows = tally.is_some_and(|tally| tally.share(Limit::Other) > MOST);
+        let are_held_otherwise = tally.is_some_and(|tally| tally.share(Limit::Other) > MOST);
         let mean = (state.time - start) / state.statistics.steps.max(1) as f64;
-        if are_bound_by_rows && mean > 0.0 { Setting::Longest(mean) } else { Setting::Accuracy(pacing.accuracy) }
+        if are_held_otherwise && mean > 0.0 { Setting::Longest(mean) } else { Setting::Accuracy(pacing.accuracy) }
     }
 
     /// Warns of results that are off by more than a reader expects because of the steps and the mesh together.
