@@ -7,7 +7,7 @@ use ancf14::fmi::Model;
 use ancf14::fmi::variable::Causality;
 use ancf14::model::run::levels::{Level, merged};
 use ancf14::model::simulation::Simulation;
-use ancf14::model::verification::estimate::{Limit, Trust};
+use ancf14::model::verification::estimate::{Limit, Order, Trust};
 use ancf14::model::verification::{Report, Row, Verification};
 use std::f64::consts::TAU;
 
@@ -207,10 +207,11 @@ fn steps_that_rows_bound_are_verified() {
                 inertia = [0.1, 0.1, 0.1]\nvelocity = [0, 0, 1]\n[frame.hook]\nposition = [0, 0, 0]\n\
                 [spring.coil]\na = \"hook\"\nb = \"b\"\nstiffness = 1000\n\
                 [output.way]\nat = \"b\"\nquantities = [\"displacement\"]\n\
-                [simulation]\nstop = 1\noutput_step = 2.5e-3\naccuracy = 0.1\n";
+                [simulation]\nstop = 0.6\noutput_step = 2.4e-3\naccuracy = 0.1\n";
     let report = verified(text, &[], WANTED);
     let order = row(&report, "way.displacement[3]").estimate.order;
-    assert!((order.value() - 2.0).abs() < 0.1, "{order:?}");
+    // The first steps are short in all three runs.
+    assert!(matches!(order, Order::Observed(order) if (order - 2.0).abs() < 0.3), "{order:?}");
     let remedy = report.remedy.expect("a remedy");
     assert!(remedy.iter().any(|setting| setting.starts_with("simulation.longest_step = ")), "{remedy:?}");
     let settings: Vec<_> = remedy.iter().filter_map(|setting| setting.split_once(" = ")).collect();
