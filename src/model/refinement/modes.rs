@@ -4,7 +4,7 @@
 
 use crate::fmi::{Failure, Model};
 use crate::model::file::entries::simulation::Analysis;
-use crate::model::run::accuracy::percent;
+use crate::model::run::accuracy::{at_most, percent};
 use crate::model::run::levels::{self, Level, Override};
 use crate::model::run::simulation::Simulation;
 use crate::model::run::simulation::campbell::{Campbell, Sweep};
@@ -39,7 +39,7 @@ impl RefinedModes {
     /// The line about the mesh: `16 elements, accuracy of the frequencies: 0.13 %`; none: nothing is known.
     pub fn line(&self) -> Option<String> {
         let (_, error) = worst(&self.modes)?;
-        let known = if error > 1.0 { String::from("not known") } else { percent(error) };
+        let known = if error > 1.0 { String::from("not known") } else { at_most(error) };
         Some(format!("{} elements, accuracy of the frequencies: {known}", self.elements))
     }
 

@@ -1,7 +1,7 @@
 //! Lines and warnings about the runs of a model.
 
 use super::{End, Outcome};
-use crate::model::run::accuracy::percent;
+use crate::model::run::accuracy::at_most;
 
 /// Runs aim at what a reader expects, to be right to twice that: a result that is off by less is not warned of where
 /// they end early.
@@ -21,7 +21,7 @@ impl Outcome {
             || String::from("nothing to judge"),
             |worst| match worst.error {
                 error if error > 1.0 => String::from("not known"),
-                error => percent(error),
+                error => at_most(error),
             },
         );
         format!("{runs} run{plural}{mesh}, {what} reached: {reached}")
@@ -81,6 +81,19 @@ fn rounded(budget: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::model::run::accuracy::Inexact;
+
+    /// A line has no error of 0.000000 %.
+    #[test]
+    fn tiny_errors_are_told_as_less() {
+        let line = |error: f64| {
+            let worst = Some(Inexact { name: String::from("tip.position"), error, is_rough: false });
+            let (end, budget) = (End::Reached, 20.0);
+            Outcome { runs: 1, elements: 8, chooses_mesh: true, is_motion: true, is_path: false, worst, end, budget }
+                .line()
+        };
+        assert!(line(1e-13).ends_with("accuracy reached: less than 0.00010 %"), "{}", line(1e-13));
+        assert!(line(2.5e-3).ends_with("accuracy reached: 0.25 %"));
+    }
 
     /// A run that its budget ends is warned of beyond 1 %, and a path by arc length after its first run too: it has no
     /// other estimate.

@@ -430,10 +430,15 @@ impl Inexact {
     pub fn size(&self) -> String {
         match self.error {
             error if error > 1.0 => String::from("more than 100 %"),
-            error if error < LEAST_TOLD => format!("less than {}", percent(LEAST_TOLD)),
+            error if error < LEAST_TOLD => at_most(error),
             error => format!("about {}", percent(error)),
         }
     }
+}
+
+/// A share in percent, with two digits; one that is far below all that matters as less than that.
+pub fn at_most(share: f64) -> String {
+    if share < LEAST_TOLD { format!("less than {}", percent(LEAST_TOLD)) } else { percent(share) }
 }
 
 /// A share in percent, with two digits.
