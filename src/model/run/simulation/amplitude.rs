@@ -50,13 +50,14 @@ struct Parts {
 }
 
 impl Parts {
-    /// Those of rows of outputs at the amplitudes `1`, `−1`, `1/2`, `−1/2` about those that they begin with.
-    fn new(runs: &[Vec<Vec<f64>>; 4], about: &[f64], kinds: &[usize], count: usize) -> Self {
+    /// Those of rows of outputs at the amplitudes `1`, `−1`, `1/2`, `−1/2` about the rows without a motion, which
+    /// functions of time may move.
+    fn new(runs: &[Vec<Vec<f64>>; 4], about: &[Vec<f64>], kinds: &[usize], count: usize) -> Self {
         let mut parts = Self { linear: vec![0.0; count], even: vec![0.0; count], odd: vec![0.0; count] };
         let [up, down, half_up, half_down] = runs;
         for row in 0..up.len() {
             let mut squares = vec![[0.0; 3]; count];
-            for (output, (about, kind)) in about.iter().zip(kinds).enumerate() {
+            for (output, (about, kind)) in about[row].iter().zip(kinds).enumerate() {
                 let [up, down] = [up, down].map(|run| run[row][output] - about);
                 let [half_up, half_down] = [half_up, half_down].map(|run| run[row][output] - about);
                 let (whole, half) = ((up - down) / 2.0, (half_up - half_down) / 2.0);
@@ -285,10 +286,11 @@ impl Gauge {
     /// measured.
     fn strike(&mut self, pole: &Pole) -> Option<(f64, Parts)> {
         let mut amplitude = AMPLITUDE;
+        let about = self.vibrate(pole, 0.0)?;
         for _ in 0..MOST_TRIES {
             let runs = [1.0, -1.0, 0.5, -0.5].map(|factor| self.vibrate(pole, factor * amplitude));
             if let [Some(up), Some(down), Some(half_up), Some(half_down)] = runs {
-                let parts = Parts::new(&[up, down, half_up, half_down], &self.about, &self.kinds, self.count);
+                let parts = Parts::new(&[up, down, half_up, half_down], &about, &self.kinds, self.count);
                 if let Some(share) = parts.largest()
                     && share <= LARGEST
                 {
@@ -363,11 +365,12 @@ impl Gauge {
 
     /// The parts of the equilibria with changes of an input by `reach` and less.
     fn hold_all(&self, simulation: &Simulation, reference: usize, mut reach: f64) -> Option<(f64, Parts)> {
+        let about = [self.about.clone()];
         for _ in 0..MOST_TRIES {
             let rows = [1.0, -1.0, 0.5, -0.5].map(|factor| self.hold(simulation, reference, factor * reach));
             if let [Some(up), Some(down), Some(half_up), Some(half_down)] = rows {
                 let rows = [up, down, half_up, half_down].map(|row| vec![row]);
-                let parts = Parts::new(&rows, &self.about, &self.kinds, self.count);
+                let parts = Parts::new(&rows, &about, &self.kinds, self.count);
                 match parts.largest() {
                     Some(share) if share > LARGEST => (),
                     _ => return Some((reach, parts)),

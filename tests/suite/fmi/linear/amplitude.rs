@@ -164,15 +164,39 @@ fn odd_files_and_amplitudes() {
     }
 }
 
-fn small(model: &Simulation, inputs: &[&str], outputs: &[&str], size: Size) -> Small {
+/// A reduced system whose motions are measured.
+fn reduced(model: &Simulation, inputs: &[&str], outputs: &[&str], size: Size) -> Reduced {
     let [inputs, outputs] =
         [inputs, outputs].map(|names| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>());
     let whole = model.linearize(Some(&inputs), Some(&outputs)).unwrap_or_else(|failure| panic!("{}", failure.message));
     let found = whole.reduce(model, size, Method::Balanced);
     let mut found = found.unwrap_or_else(|failure| panic!("{}", failure.message));
     found.linear.measure_amplitude(&whole, model);
-    let Reduced { linear, poles, whole, kept, bound, error } = found;
+    found
+}
+
+fn small(model: &Simulation, inputs: &[&str], outputs: &[&str], size: Size) -> Small {
+    let Reduced { linear, poles, whole, kept, bound, error } = reduced(model, inputs, outputs, size);
     Small::new(model, &linear, &poles, Some(Reduction { whole, kept, bound, error })).unwrap()
+}
+
+/// The linear, even and odd parts of all motions of a mechanism with a force.
+fn parts(text: &str) -> Vec<[f64; 3]> {
+    let found = reduced(&load(text, &[]), &["push.force[3]"], &["tip.position"], Size::Order(6));
+    let motions = found.linear.amplitude.expect("numbers").motions;
+    motions
+        .iter()
+        .flat_map(|own| (0..own.linear.len()).map(|kind| [own.linear[kind], own.even[kind], own.odd[kind]]))
+        .collect()
+}
+
+/// All parts are those expected, up to a share of them.
+fn check_parts(found: &[[f64; 3]], expected: &[[f64; 3]], share: f64) {
+    println!("{found:?}\n{expected:?}");
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
+        assert!((found - expected).abs() <= share * expected.abs(), "{found:e} {expected:e}");
+    }
 }
 
 /// A run of the mechanism and of its small unit: the input of the mechanism, the one of the unit, and the outputs,
@@ -325,6 +349,36 @@ fn estimates_of_prescribed_motions_are_near_the_truth() {
     let small = &small(&load(text, &[]), &["foot.acceleration[1]"], &["load_motion.position"], Size::Order(12));
     let pair = Pair { small, text, host: "foot.position[1]", times: [6.0, 2e-2] };
     pair.check("crane", &[0.1, 1.0, 3.0], way(2.0));
+}
+
+/// A load that changes by time is no part of the motion that is measured.
+#[test]
+fn functions_of_time_have_no_share() {
+    let text = format!("{STEEL}{ARM}");
+    let shaken = format!("{text}load.shake = {{ at = \"arm.end\", force = [0, 0, \"10*sin(20*t)\"] }}\n");
+    check_parts(&parts(&shaken), &parts(&text), 0.03);
+}
+
+/// Steps that the solver chooses give the same numbers as given ones.
+#[test]
+fn an_accuracy_gives_the_same_parts() {
+    let text = format!("{STEEL}{ARM}");
+    let paced = text.replace("step = 5e-4,", "accuracy = 1e-4,");
+    assert_ne!(paced, text);
+    check_parts(&parts(&paced), &parts(&text), 1e-3);
+}
+
+/// A drive whose rate a host gives has a position that no equilibrium tells of: it counts as linear.
+#[test]
+fn a_drive_with_a_rate_is_linear() {
+    let text = format!("{STEEL}{}", TURNED.replace("value = 0, input = \"value\"", "rate = 0, input = \"rate\""));
+    let linear = reduced(&load(&text, &[]), &["turn.acceleration"], &["tip.position"], Size::Order(8)).linear;
+    let value = linear.states.iter().position(|own| own.name == "turn.value").unwrap();
+    let motions = linear.amplitude.unwrap().motions;
+    let motion = motions.iter().find(|own| own.weights[0][value] == 1.0 && own.weights[0].iter().sum::<f64>() == 1.0);
+    let motion = motion.unwrap();
+    assert!((motion.linear[0] - 1.0).abs() < 1e-6, "{motion:?}");
+    assert!(motion.even[0] == 0.0 && motion.odd[0] == 0.0, "{motion:?}");
 }
 
 /// Nothing is measured about a state that moves on.
