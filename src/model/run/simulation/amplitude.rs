@@ -84,6 +84,11 @@ impl Parts {
         self.linear[kind] + self.even[kind] + self.odd[kind] > 0.0
     }
 
+    /// Whether any output moves.
+    fn move_any(&self) -> bool {
+        (0..self.linear.len()).any(|kind| self.moves(kind))
+    }
+
     /// The largest share of the third power; none: it is not a number, or no output moves to first order.
     fn largest(&self) -> Option<f64> {
         let seen = (0..self.linear.len()).filter(|kind| self.is_seen(*kind));
@@ -328,7 +333,7 @@ impl Gauge {
         Some(rows)
     }
 
-    /// The motion of a state that a pole at 0 belongs to, and its parts if they can be measured: it is linear else.
+    /// The motion of a state that a pole at 0 belongs to, and its parts; no parts: the motion counts as linear.
     fn kept(&self, simulation: &Simulation, linear: &Linear, state: usize) -> (Motion, Option<Parts>) {
         let mut weights = [vec![0.0; linear.states.len()], vec![0.0; linear.states.len()]];
         weights[0][state] = 1.0;
@@ -342,12 +347,12 @@ impl Gauge {
         (Motion { weights, linear, even, odd }, Some(parts))
     }
 
-    /// The parts of the motion whose value is the state `name`, and by how much it moved; none: no host prescribes it,
-    /// or equilibria are not found.
+    /// The parts of the motion whose value is the state `name`, and by how much it moved; none: no host gives this
+    /// value, or equilibria are not found. A host that gives a rate does not move the value of an equilibrium.
     fn move_input(&self, simulation: &Simulation, name: &str) -> Option<(f64, Parts)> {
         let (givens, _) = simulation.givens(&self.run.runner.state);
         let is_own = |given: &&Given| given.states.as_ref().is_some_and(|[value, _]| value.0 == name);
-        let given = givens.iter().find(is_own)?;
+        let given = givens.iter().find(is_own).filter(|given| !given.is_rate(&simulation.document))?;
         let reference = simulation.table.variables.iter().position(|own| own.name == given.variable)?;
         let [(_, unit, _), _] = given.states.as_ref()?;
         self.hold_all(simulation, reference, AMPLITUDE * if unit == "m" { simulation.system().size } else { 1.0 })
@@ -363,7 +368,7 @@ impl Gauge {
         if reach > 0.0 { self.hold_all(simulation, reference, AMPLITUDE / reach) } else { None }
     }
 
-    /// The parts of the equilibria with changes of an input by `reach` and less.
+    /// The parts of the equilibria with changes of an input by `reach` and less; none: no output moves.
     fn hold_all(&self, simulation: &Simulation, reference: usize, mut reach: f64) -> Option<(f64, Parts)> {
         let about = [self.about.clone()];
         for _ in 0..MOST_TRIES {
@@ -373,7 +378,7 @@ impl Gauge {
                 let parts = Parts::new(&rows, &about, &self.kinds, self.count);
                 match parts.largest() {
                     Some(share) if share > LARGEST => (),
-                    _ => return Some((reach, parts)),
+                    _ => return parts.move_any().then_some((reach, parts)),
                 }
             }
             reach *= SMALLER;

@@ -11,6 +11,7 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::model::builder;
 use crate::model::file::document::Document;
+use crate::model::file::entries::drive::Motion;
 use crate::model::file::entries::frame::Orientation;
 use crate::model::file::number::Number;
 use crate::model::variables::Source;
@@ -52,6 +53,12 @@ impl Given {
         let states = [(name(value), unit.to_owned(), jet.value), (name(rate), format!("{unit}/s"), jet.first)];
         let (name, unit) = (name(acceleration), format!("{unit}/s2"));
         Self { name, unit, value: jet.second, states: Some(states), variable: String::new(), change }
+    }
+
+    /// Whether a host gives the rate of a motion instead of its value.
+    pub fn is_rate(&self, document: &Document) -> bool {
+        let Change::Drive(drive) = self.change else { return false };
+        matches!(document.motions().nth(drive), Some((Motion::Rate(_), _)))
     }
 
     /// Whether somebody who asks for `name` means it: by its name, by that of the variable of a host, or by either
