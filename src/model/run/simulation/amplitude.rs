@@ -255,6 +255,12 @@ impl Gauge {
         if !fits || matches!(run.runner.solver, Solver::Statics(_) | Solver::None) {
             return None;
         }
+        // Runs take given steps, also where the solver of the file chooses its own.
+        if let Some(pacing) = &mut run.runner.pacing {
+            pacing.is_given = true;
+            run.runner.solver = Solver::new(&run.document, &run.runner.system, run.runner.pacing).ok()?;
+            run.runner.pacing = None;
+        }
         let results = run.linear_outputs(Some(&names)).ok()?;
         run.read_results().ok()?;
         let about = results.iter().map(|number| run.results[*number]).collect();
@@ -320,7 +326,6 @@ impl Gauge {
         change.apply(&system, 1.0, state, &mut frames);
         run.runner.set_motion("the velocities of the mode", &mut Vec::new()).ok()?;
         let interval = TAU / pole.value[1] / ROWS as f64;
-        run.runner.pacing = None;
         run.runner.step = interval / STEPS;
         let begin = run.runner.state.time;
         run.runner.start = begin;
