@@ -31,6 +31,8 @@ const SMALLER: f64 = 0.25;
 const MOST_TRIES: usize = 7;
 /// Vibrations that are measured, the softest ones. Others are taken for as nonlinear as the nearest one.
 const MOST_VIBRATIONS: usize = 8;
+/// Vibrations that are tried, the softest ones: some cannot be measured.
+const MOST_ATTEMPTS: usize = 2 * MOST_VIBRATIONS;
 /// Largest distance of a pole of the reduced system from that of the whole one which it stands for.
 const SAME: f64 = 0.1;
 /// Vibrations with poles so near to each other are told apart by the outputs: those of round beams in two planes.
@@ -38,12 +40,15 @@ const NEAR: f64 = 1e-3;
 /// Rows of a period, and internal steps between two of them.
 const ROWS: usize = 24;
 const STEPS: f64 = 5.0;
+/// Changes of outputs up to this share of their size are round-off.
+const ROUND_OFF: f64 = 1e-13;
 /// The equilibrium where a run begins is the one of the linear system up to this distance.
 const THERE: f64 = 1e-6;
 
-/// Sizes of the parts of a motion's outputs, for each unit.
+/// Sizes of the parts of a motion's outputs, for each unit, and of the outputs that they are changes of.
 #[derive(Clone, Debug, Default)]
 struct Parts {
+    size: Vec<f64>,
     linear: Vec<f64>,
     even: Vec<f64>,
     odd: Vec<f64>,
@@ -53,11 +58,13 @@ impl Parts {
     /// Those of rows of outputs at the amplitudes `1`, `−1`, `1/2`, `−1/2` about the rows without a motion, which
     /// functions of time may move.
     fn new(runs: &[Vec<Vec<f64>>; 4], about: &[Vec<f64>], kinds: &[usize], count: usize) -> Self {
-        let mut parts = Self { linear: vec![0.0; count], even: vec![0.0; count], odd: vec![0.0; count] };
+        let zeros = || vec![0.0; count];
+        let mut parts = Self { size: zeros(), linear: zeros(), even: zeros(), odd: zeros() };
         let [up, down, half_up, half_down] = runs;
         for row in 0..up.len() {
             let mut squares = vec![[0.0; 3]; count];
             for (output, (about, kind)) in about[row].iter().zip(kinds).enumerate() {
+                parts.size[*kind] = parts.size[*kind].max(about.abs());
                 let [up, down] = [up, down].map(|run| run[row][output] - about);
                 let [half_up, half_down] = [half_up, half_down].map(|run| run[row][output] - about);
                 let (whole, half) = ((up - down) / 2.0, (half_up - half_down) / 2.0);
@@ -79,9 +86,9 @@ impl Parts {
         self.linear[kind] > self.even[kind] + self.odd[kind]
     }
 
-    /// Whether outputs of a unit move at all.
+    /// Whether outputs of a unit move, by more than round-off.
     fn moves(&self, kind: usize) -> bool {
-        self.linear[kind] + self.even[kind] + self.odd[kind] > 0.0
+        self.linear[kind] + self.even[kind] + self.odd[kind] > ROUND_OFF * self.size[kind]
     }
 
     /// Whether any output moves.
@@ -279,7 +286,7 @@ impl Gauge {
     fn strike_all(&mut self, vibrations: &[Own], whole: &[Pole]) -> Vec<([f64; 2], Parts)> {
         let whole: Vec<&Pole> = whole.iter().filter(|own| own.kind == PoleKind::Oscillating).collect();
         let mut found = Vec::new();
-        for own in vibrations.iter().filter(|own| own.pole[1] > 0.0) {
+        for own in vibrations.iter().filter(|own| own.pole[1] > 0.0).take(MOST_ATTEMPTS) {
             let apart = |other: &&Pole| f64::hypot(other.value[0] - own.pole[0], other.value[1] - own.pole[1]);
             let least = whole.iter().map(apart).fold(f64::INFINITY, f64::min);
             let most = f64::min(SAME * size(own.pole), least + NEAR * size(own.pole));
@@ -302,6 +309,9 @@ impl Gauge {
             let runs = [1.0, -1.0, 0.5, -0.5].map(|factor| self.vibrate(pole, factor * amplitude));
             if let [Some(up), Some(down), Some(half_up), Some(half_down)] = runs {
                 let parts = Parts::new(&[up, down, half_up, half_down], &about, &self.kinds, self.count);
+                if !parts.move_any() {
+                    return None;
+                }
                 if let Some(share) = parts.largest()
                     && share <= LARGEST
                 {
