@@ -286,17 +286,21 @@ impl<'a, 'b> Reader<'a, 'b> {
 
     /// How nonlinear motions are, where the file has it.
     fn amplitude(&self, order: usize) -> Result<Option<Amplitude>, String> {
-        let [real, imaginary, linear, even, odd] = Amplitude::default().parts().map(|(key, _)| key);
-        if self.value(real).is_none() {
+        let keys = Amplitude::default().parts().map(|(key, _)| key);
+        if keys.iter().all(|key| self.value(key).is_none()) {
             return Ok(None);
         }
+        let [real, imaginary, linear, even, odd] = keys;
         let motions = self.list(real)?.len();
+        if motions == 0 || motions > order {
+            return Err(format!("`{real}` has {motions} rows, and 1 to {order} are possible"));
+        }
         let kinds = self.list(linear)?.first().map_or(0, |row| match row.get_ref() {
             DeValue::Array(values) => values.len(),
             _ => 0,
         });
-        if motions == 0 || motions > order || kinds == 0 || kinds > MOST_KINDS {
-            return Err(format!("`{linear}` has {motions} rows with {kinds} numbers each, which it cannot have"));
+        if kinds == 0 || kinds > MOST_KINDS {
+            return Err(format!("`{linear}` has {kinds} numbers in a row, and 1 to {MOST_KINDS} are possible"));
         }
         Ok(Some(Amplitude {
             real: self.matrix(real, motions, order)?,

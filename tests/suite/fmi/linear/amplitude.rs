@@ -156,11 +156,16 @@ fn odd_files_and_amplitudes() {
     instance.set_continuous_states(&[1e160, 0.0]).unwrap();
     assert_eq!(outputs::<1>(&mut instance, SHARE), [1.0]);
     let text = nonlinear().text();
-    for (from, to) in
-        [("motions_odd = [", "motions_odds = ["), ("motions_imaginary = [", "motions_imaginary = [[0.0, 0.0],")]
-    {
-        assert!(text.contains(from));
-        assert!(Unit::load("linear.toml", &text.replace(from, to)).is_err(), "{to}");
+    for (from, to, key) in [
+        ("motions_odd = [", "motions_odds = [", "`motions_odd` is missing"),
+        ("motions_real = [", "motions_reals = [", "`motions_real` is missing"),
+        ("motions_real = [\n  [1.0, 0.0],\n]", "motions_real = []", "`motions_real` has 0 rows"),
+        ("motions_linear = [", "motions_linear = [[],", "`motions_linear` has 0 numbers"),
+        ("motions_imaginary = [", "motions_imaginary = [[0.0, 0.0],", "`motions_imaginary` is not"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let failure = Unit::load("linear.toml", &text.replace(from, to)).unwrap_err();
+        assert!(failure.message.contains(key), "{to}: {}", failure.message);
     }
 }
 
