@@ -3,7 +3,7 @@
 use ancf14::model::linear::{Linear, Matrix, Pole, Signal};
 use ancf14::model::reduced::{Method, Reduced, Size};
 use ancf14::model::simulation::Simulation;
-use ancf14_pack::small::{Reduction, Small};
+use ancf14_pack::small::{Reduction, Small, without_amplitude};
 use ancf14_report::matrices::{System, word};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -32,18 +32,17 @@ impl LinearSystem {
         Self { linear, poles, model, reduction: None, whole: None }
     }
 
-    /// The system as an FMU has it.
+    /// The system as an FMU has it, and a warning if it cannot estimate its own error.
     ///
     /// # Errors
     /// It has too many states.
-    pub fn small(&self, simulation: &Simulation) -> Result<Small, String> {
+    pub fn small(&self, simulation: &Simulation) -> Result<(Small, Option<String>), String> {
         let reduction = self.reduction.map(|(whole, kept, bound, error)| Reduction { whole, kept, bound, error });
         let poles = self.poles.as_deref().unwrap_or_default();
         let mut linear = self.linear.clone();
-        if let Some(whole) = &self.whole {
-            linear.measure_amplitude(whole, simulation);
-        }
-        Small::new(simulation, &linear, poles, reduction).map_err(|reason| reason.to_string())
+        let measured = self.whole.as_ref().map_or(Ok(()), |whole| linear.measure_amplitude(whole, simulation));
+        let small = Small::new(simulation, &linear, poles, reduction).map_err(|reason| reason.to_string())?;
+        Ok((small, measured.err().map(|reason| without_amplitude(&reason))))
     }
 
     /// The same with fewer states.

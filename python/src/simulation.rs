@@ -220,18 +220,21 @@ impl Simulation {
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// The bytes of an FMU of a linear system of the model.
+    /// The bytes of an FMU of a linear system of the model, and warnings.
     fn pack_linear<'py>(
         &self,
         py: Python<'py>,
         system: &LinearSystem,
         library: PathBuf,
         fmi: u8,
-    ) -> PyResult<Bound<'py, PyBytes>> {
+    ) -> PyResult<(Bound<'py, PyBytes>, Vec<String>)> {
         let model = self.get()?.model();
-        let fmu = || models::fmu(model, Some(&system.small(model)?), library, fmi);
-        let bytes = py.detach(fmu).map_err(PyRuntimeError::new_err)?;
-        Ok(PyBytes::new(py, &bytes))
+        let fmu = || {
+            let (small, warning) = system.small(model)?;
+            Ok((models::fmu(model, Some(&small), library, fmi)?, Vec::from_iter(warning)))
+        };
+        let (bytes, warnings) = py.detach(fmu).map_err(PyRuntimeError::new_err::<String>)?;
+        Ok((PyBytes::new(py, &bytes), warnings))
     }
 
     /// Whether the file leaves the steps or the elements of a beam to the program, so that a run is repeated.

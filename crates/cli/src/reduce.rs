@@ -5,7 +5,7 @@ use super::linearize::{self, Place};
 use super::{ModelArguments, Stop, complain, failed, say, voice};
 use ancf14::fmi::Model;
 use ancf14::model::reduced::{Method, Reduced, Size};
-use ancf14_pack::small::Reduction;
+use ancf14_pack::small::{Reduction, without_amplitude};
 use ancf14_report::matrices::System;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -70,13 +70,8 @@ pub fn reduce(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -
     };
     let mut found = whole.reduce(&simulation, size, method).map_err(|failure| failed(&simulation, &failure))?;
     if target.is_fmu() {
-        found.linear.measure_amplitude(&whole, &simulation);
-        if found.linear.amplitude.is_none() {
-            complain(
-                "warning: the FMU has no amplitude_error: how nonlinear motions are can be measured about an \
-                 equilibrium with vibrations that outputs show; \
-                 compare it with the FMU of the mechanism at the largest amplitude",
-            );
+        if let Err(reason) = found.linear.measure_amplitude(&whole, &simulation) {
+            complain(&format!("warning: {}", without_amplitude(&reason)));
         }
     }
     let name = simulation.about().name.clone();

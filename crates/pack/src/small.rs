@@ -104,6 +104,13 @@ impl Small {
     }
 }
 
+/// The warning of a unit that cannot estimate its own error, for the reason given.
+pub fn without_amplitude(reason: &str) -> String {
+    format!(
+        "the FMU has no amplitude_error: {reason}; compare it with the FMU of the mechanism at the largest amplitude"
+    )
+}
+
 /// How nonlinear motions are, as the file has it.
 fn amplitude(linear::Amplitude { motions }: &linear::Amplitude) -> Amplitude {
     let matrix = |own: fn(&Motion) -> &[f64], most: usize| {

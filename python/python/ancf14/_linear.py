@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._errors import CallError, RunError, missing, raising
+from ._errors import CallError, RunError, missing, raising, warn
 
 if TYPE_CHECKING:
     from ._native import LinearSystem, Simulation
@@ -148,7 +148,7 @@ class Linearization:
         """Pack the system as a small FMU for co-simulation and Model Exchange, write it to ``path`` and return the path.
 
         ``fmi`` is the version of the standard: 2 for FMI 2.0, 3 for FMI 3.0. The FMU is right for small motions about the state of the system. It can have at
-        most 300 states: reduce larger systems first.
+        most 300 states: reduce larger systems first. A warning gives the reason where the FMU of a reduced system cannot estimate its own error.
         """
         path = Path(path)
         if path.suffix.lower() != ".fmu":
@@ -157,7 +157,9 @@ class Linearization:
             raise CallError(f"fmi is 2 or 3, not {fmi}")
         library = Path(__file__).with_name("libancf14.so")
         try:
-            path.write_bytes(self._simulation.pack_linear(self._native, str(library), fmi))
+            content, warnings = self._simulation.pack_linear(self._native, str(library), fmi)
         except RuntimeError as reason:
             raise RunError(str(reason)) from None
+        path.write_bytes(content)
+        warn(warnings)
         return path

@@ -45,6 +45,8 @@ const ROUND_OFF: f64 = 1e-13;
 /// The equilibrium where a run begins is the one of the linear system up to this distance.
 const THERE: f64 = 1e-6;
 
+const NO_RUNS: &str = "a nonlinear run cannot begin in the equilibrium that the system is about";
+
 /// Sizes of the parts of a motion's outputs, for each unit, and of the outputs that they are changes of.
 #[derive(Clone, Debug, Default)]
 struct Parts {
@@ -119,27 +121,35 @@ impl Own {
 }
 
 impl Linear {
-    /// Measures by nonlinear runs what [`Self::amplitude`] has; nothing where the mechanism moves in the state that the
-    /// system is about, or no motion can be measured. This system is a reduction of `whole`.
-    pub fn measure_amplitude(&mut self, whole: &Self, simulation: &Simulation) {
-        self.amplitude = measured(self, whole, simulation);
+    /// Measures by nonlinear runs what [`Self::amplitude`] has. This system is a reduction of `whole`.
+    ///
+    /// # Errors
+    /// The reason why nothing is measured, as half a sentence.
+    pub fn measure_amplitude(&mut self, whole: &Self, simulation: &Simulation) -> Result<(), String> {
+        self.amplitude = None;
+        self.amplitude = Some(measured(self, whole, simulation)?);
+        Ok(())
     }
 }
 
-fn measured(linear: &Linear, whole: &Linear, simulation: &Simulation) -> Option<Amplitude> {
-    if !whole.is_still() || whole.steady.is_some() {
-        return None;
+fn measured(linear: &Linear, whole: &Linear, simulation: &Simulation) -> Result<Amplitude, &'static str> {
+    if whole.steady.is_some() {
+        return Err("the system is about a steady rotation, where it is not measured");
+    }
+    if !whole.is_still() {
+        return Err("the mechanism moves in the state that the system is about, or its forces do not balance there");
     }
     let units: Vec<&str> = linear.outputs.iter().map(|own| own.unit.as_str()).collect();
     let firsts: Vec<usize> = (0..units.len()).filter(|own| !units[..*own].contains(&units[*own])).collect();
     let kind = |unit: &&str| firsts.iter().position(|first| units[*first] == *unit);
     let kinds: Vec<usize> = units.iter().filter_map(kind).collect();
-    let mut gauge = Gauge::new(simulation, linear, kinds, firsts.len())?;
+    let mut gauge = Gauge::new(simulation, linear, kinds, firsts.len()).ok_or(NO_RUNS)?;
 
     let is_kept = |own: &Signal| whole.states.iter().any(|other| other.name == own.name);
     let kept: Vec<bool> = linear.states.iter().map(is_kept).collect();
-    let mut vibrations = vibrations(linear, &kept, &gauge)?;
-    let mut found = gauge.strike_all(&vibrations, &whole.poles(simulation).ok()?);
+    let mut vibrations = vibrations(linear, &kept, &gauge).ok_or("the poles of the reduced system are not found")?;
+    let poles = whole.poles(simulation).map_err(|_| "the poles of the whole system are not found")?;
+    let mut found = gauge.strike_all(&vibrations, &poles);
     let own: Vec<Option<Parts>> = vibrations.iter().map(|own| nearest(own.pole, &found).cloned()).collect();
     let largest = |kind: usize| vibrations.iter().map(|own| own.motion.linear[kind]).fold(0.0, f64::max);
     let largest: Vec<f64> = (0..gauge.count).map(largest).collect();
@@ -169,8 +179,13 @@ fn measured(linear: &Linear, whole: &Linear, simulation: &Simulation) -> Option<
         *list = seen.iter().map(|kind| list[*kind]).collect();
     }
     let lists = all.iter().flat_map(|own| own.weights.iter().chain([&own.linear, &own.even, &own.odd]));
-    let is_finite = lists.flatten().all(|value| value.is_finite());
-    (!seen.is_empty() && is_finite).then_some(Amplitude { motions: all })
+    if seen.is_empty() {
+        return Err("no motion was measured that moves an output in proportion to its amplitude");
+    }
+    if lists.flatten().any(|value| !value.is_finite()) {
+        return Err("a number of the motions is too large");
+    }
+    Ok(Amplitude { motions: all })
 }
 
 impl Motion {

@@ -176,7 +176,8 @@ fn reduced(model: &Simulation, inputs: &[&str], outputs: &[&str], size: Size) ->
     let whole = model.linearize(Some(&inputs), Some(&outputs)).unwrap_or_else(|failure| panic!("{}", failure.message));
     let found = whole.reduce(model, size, Method::Balanced);
     let mut found = found.unwrap_or_else(|failure| panic!("{}", failure.message));
-    found.linear.measure_amplitude(&whole, model);
+    let measured = found.linear.measure_amplitude(&whole, model);
+    assert_eq!(measured.is_ok(), found.linear.amplitude.is_some());
     found
 }
 
