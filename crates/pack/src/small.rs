@@ -113,18 +113,33 @@ pub fn without_amplitude(reason: &str) -> String {
 
 /// How nonlinear motions are, as the file has it.
 fn amplitude(linear::Amplitude { motions }: &linear::Amplitude) -> Amplitude {
-    let matrix = |own: fn(&Motion) -> &[f64], most: usize| {
-        let columns = motions.first().map_or(0, |motion| own(motion).len()).min(most);
-        let column = |column: usize| motions.iter().map(move |motion| own(motion)[column]);
-        Matrix { rows: motions.len(), columns, values: (0..columns).flat_map(column).collect() }
+    let kinds = kinds(motions);
+    let matrix = |own: fn(&Motion) -> &[f64], columns: &[usize]| {
+        let column = |column: &usize| motions.iter().map(move |motion| own(motion)[*column]).collect::<Vec<_>>();
+        Matrix { rows: motions.len(), columns: columns.len(), values: columns.iter().flat_map(column).collect() }
     };
+    let states: Vec<usize> = (0..motions.first().map_or(0, |motion| motion.weights[0].len())).collect();
     Amplitude {
-        real: matrix(|own| &own.weights[0], usize::MAX),
-        imaginary: matrix(|own| &own.weights[1], usize::MAX),
-        linear: matrix(|own| &own.linear, MOST_KINDS),
-        even: matrix(|own| &own.even, MOST_KINDS),
-        odd: matrix(|own| &own.odd, MOST_KINDS),
+        real: matrix(|own| &own.weights[0], &states),
+        imaginary: matrix(|own| &own.weights[1], &states),
+        linear: matrix(|own| &own.linear, &kinds),
+        even: matrix(|own| &own.even, &kinds),
+        odd: matrix(|own| &own.odd, &kinds),
     }
+}
+
+/// The units of outputs that the file has room for, by their numbers: those with the largest nonlinear parts, over the
+/// linear ones.
+fn kinds(motions: &[Motion]) -> Vec<usize> {
+    let share = |kind: usize| {
+        let shares = motions.iter().map(|own| (own.even[kind] + own.odd[kind]) / own.linear[kind]);
+        shares.fold(0.0, f64::max)
+    };
+    let mut kinds: Vec<usize> = (0..motions.first().map_or(0, |motion| motion.linear.len())).collect();
+    kinds.sort_by(|a, b| share(*b).total_cmp(&share(*a)));
+    kinds.truncate(MOST_KINDS);
+    kinds.sort_unstable();
+    kinds
 }
 
 /// The meaning of a state.

@@ -374,6 +374,25 @@ fn an_accuracy_gives_the_same_parts() {
     check_parts(&parts(&paced), &parts(&text), 1e-3);
 }
 
+/// A file has room for 16 units of outputs: the ones with the largest nonlinear parts stay.
+#[test]
+fn the_most_nonlinear_units_stay() {
+    let model = load(&format!("{STEEL}{ARM}"), &[]);
+    let mut linear = reduced(&model, &["push.force[3]"], &["tip.position[3]"], Size::Order(6)).linear;
+    let mut amplitude = linear.amplitude.take().unwrap();
+    for own in &mut amplitude.motions {
+        let odd = |kind: u32| if [3, 5].contains(&kind) { 0.0 } else { 1.0 };
+        own.odd = (0..18).map(odd).collect();
+        own.even = vec![0.0; 18];
+        own.linear = (0..18).map(f64::from).map(|kind| 2.0 + kind).collect();
+    }
+    linear.amplitude = Some(amplitude);
+    let text = Small::new(&model, &linear, &[], None).unwrap().text;
+    let amplitude = File::read("linear.toml", &text).unwrap().amplitude.unwrap();
+    let row: Vec<f64> = (0..amplitude.linear.columns).map(|column| amplitude.linear.at(0, column)).collect();
+    assert_eq!(row, [2, 3, 4, 6, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19].map(f64::from));
+}
+
 /// A drive whose rate a host gives has a position that no equilibrium tells of: it counts as linear.
 #[test]
 fn a_drive_with_a_rate_is_linear() {
