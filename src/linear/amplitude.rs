@@ -1,8 +1,8 @@
 //! The estimated share of nonlinearity at the present amplitude, which the unit has as an output.
 //!
-//! Every motion of the states has an amplitude `a`. For the outputs with one unit, it has a linear part `l a`, an even
-//! part `e a²` and an odd part `o a³`, measured where the file was made. With sums `L` and `N` of linear and nonlinear
-//! parts over all motions, the share is `N/(L + N)`; that of the unit with the largest one counts.
+//! Every motion of the states has an amplitude `a`. It moves the outputs with one unit by a linear part `l a`, an even
+//! part `e a²` and an odd part `o a³`. These were measured where the file was made. Linear and nonlinear parts of all
+//! motions have the sums `L` and `N`, and the share is `N/(L + N)`. The unit with the largest share counts.
 
 use super::matrix::Matrix;
 

@@ -179,7 +179,7 @@ impl Unit {
         }
     }
 
-    /// The values in the row of the output `row`: the derivative along a change of the state and of the inputs.
+    /// How fast the output `row` changes as the state changes by `change`, and the inputs change by `inputs`.
     fn slope(&self, row: usize, change: &[f64], inputs: &[f64]) -> f64 {
         match &self.amplitude {
             Some(amplitude) if row + 1 == self.outputs.len() => amplitude.share_rate(&self.state.z, change),

@@ -61,7 +61,7 @@ fn reduced_systems_are_packed() {
     }
 }
 
-/// About a state that falls no amplitude can be measured: it is told, for an FMU only.
+/// No amplitude is measured where the arm falls. A warning says so, for FMUs only.
 #[test]
 fn states_without_an_amplitude_error_are_told() {
     let directory = folder();
@@ -73,7 +73,7 @@ fn states_without_an_amplitude_error_are_told() {
         all.extend(if told { &["--library", "library.so"][..] } else { &[] });
         let output = ancf14(directory.path(), &all);
         assert!(output.status.success(), "{}", text(&output.stderr));
-        let words = "warning: the FMU has no amplitude_error";
+        let words = "warning: the FMU has no amplitude_error: the mechanism moves";
         assert_eq!(text(&output.stderr).contains(words), told, "{}", text(&output.stderr));
     }
 }

@@ -1,10 +1,11 @@
-//! How nonlinear motions are: what a linear system estimates its own error by.
+//! How nonlinear motions are: the numbers by which a linear system estimates its own error.
 //!
 //! Nonlinear runs measure it. Each begins in the state that the system is about, with the velocities of a vibration,
-//! and takes one period. Coordinates that start unmoved need no correction: a beam that is displaced along a linear
-//! shape would be stretched, while one that is struck finds its own way. Runs with four amplitudes, `±a` and `±a/2`,
-//! tell the parts of outputs that grow with the second and the third power, without the errors of steps, which are
-//! linear. Motions that a host prescribes, and forces, are measured by equilibria with other values.
+//! and takes one period. Coordinates that start unmoved need no correction. A beam that is displaced along a linear
+//! shape would be stretched; a beam that is struck finds its own way. Runs with four amplitudes, `±a` and `±a/2`, tell
+//! the parts of outputs that grow with the second and the third power. Errors of steps are linear, and cancel. A fifth
+//! run, without a vibration, has the effects of functions of time, which are subtracted. Equilibria with other values
+//! measure forces, and motions that a host prescribes.
 
 use super::given::Given;
 use super::linear::{Amplitude, Linear, Motion, Pole, PoleKind, Signal};
@@ -388,8 +389,8 @@ impl Gauge {
         self.hold_all(simulation, reference, AMPLITUDE * if unit == "m" { simulation.system().size } else { 1.0 })
     }
 
-    /// The parts of the equilibria with other values of the input `name` of the whole system, number `input`, a force,
-    /// and by how much it changed; none: it prescribes a motion, or they are not found.
+    /// The parts of the equilibria with other values of a force, and by how much it changed. The force is the input
+    /// `name` of the whole system, number `input`; none: it prescribes a motion, or equilibria are not found.
     fn push(&self, simulation: &Simulation, whole: &Linear, input: usize, name: &str) -> Option<(f64, Parts)> {
         let (givens, _) = simulation.givens(&self.run.runner.state);
         let given = givens.iter().find(|given| given.name == name && given.states.is_none())?;

@@ -297,8 +297,8 @@ impl Linear {
         self.base.is_still
     }
 
-    /// The largest static response of the coordinates to a unit of an input, of positions over the size of the
-    /// mechanism; not a number, or infinite, where nothing holds a motion.
+    /// The largest static response of the coordinates to a unit of an input. Positions count over the size of the
+    /// mechanism. It is infinite, or not a number, where nothing holds a motion.
     pub(super) fn static_reach(&self, simulation: &Simulation, input: usize) -> f64 {
         let (free, own) = (self.selection.chosen.len(), (0..2 * self.selection.chosen.len()).collect::<Vec<_>>());
         let held = self.a.columns_at(0..2 * free).rows_of(&own).solve(&self.b.columns_at([input]).rows_of(&own));
