@@ -128,6 +128,15 @@ def test_vibrations_by_speed(tmp_path: Path) -> None:
         model.linearize(at="equilibrium", steady=("motor", 1.0))
 
 
+def test_a_small_fmu_without_an_estimate_is_warned_of(tmp_path: Path) -> None:
+    model = ancf14.Model.from_string(ROTOR.replace("gravity = [0, 0, 0]", "gravity = [0, 0, -9.81]"))
+    with pytest.warns(ancf14.SolverWarning, match="not in equilibrium"):
+        whole = model.linearize(["push.force[3]"], ["tip.position[3]"])
+    small = whole.reduce(order=6)
+    with pytest.warns(ancf14.SolverWarning, match="has no amplitude_error: the mechanism moves"):
+        small.pack(tmp_path / "small.fmu")
+
+
 def test_reduced_systems(tmp_path: Path) -> None:
     model = ancf14.Model.from_string(ROTOR)
     whole = model.linearize(["push.force[3]"], ["tip.position[3]"])

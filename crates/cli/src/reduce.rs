@@ -69,10 +69,10 @@ pub fn reduce(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -
         Way::CraigBampton => Method::CraigBampton,
     };
     let mut found = whole.reduce(&simulation, size, method).map_err(|failure| failed(&simulation, &failure))?;
-    if target.is_fmu() {
-        if let Err(reason) = found.linear.measure_amplitude(&whole, &simulation) {
-            complain(&format!("warning: {}", without_amplitude(&reason)));
-        }
+    if target.is_fmu()
+        && let Err(reason) = found.linear.measure_amplitude(&whole, &simulation)
+    {
+        complain(&format!("warning: {}", without_amplitude(&reason)));
     }
     let name = simulation.about().name.clone();
     let version = env!("CARGO_PKG_VERSION");

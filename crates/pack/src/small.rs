@@ -128,7 +128,7 @@ fn amplitude(linear::Amplitude { motions }: &linear::Amplitude) -> Amplitude {
     }
 }
 
-/// The units of outputs that the file has room for, by their numbers: those with the largest nonlinear parts, over the
+/// The units of outputs that the file has room for, by their numbers. They have the largest nonlinear parts, over the
 /// linear ones.
 fn kinds(motions: &[Motion]) -> Vec<usize> {
     let share = |kind: usize| {

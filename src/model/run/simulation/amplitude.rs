@@ -2,10 +2,10 @@
 //!
 //! Nonlinear runs measure it. Each begins in the state that the system is about, with the velocities of a vibration,
 //! and takes one period. Coordinates that start unmoved need no correction. A beam that is displaced along a linear
-//! shape would be stretched; a beam that is struck finds its own way. Runs with four amplitudes, `±a` and `±a/2`, tell
-//! the parts of outputs that grow with the second and the third power. Errors of steps are linear, and cancel. A fifth
-//! run, without a vibration, has the effects of functions of time, which are subtracted. Equilibria with other values
-//! measure forces, and motions that a host prescribes.
+//! shape would be stretched; a beam that is struck finds its own way. Runs with the amplitudes `±a` and `±a/2` tell the
+//! parts of outputs that grow with the second and third power. Errors of steps are linear, and cancel. A fifth run,
+//! without a vibration, has the effects of functions of time, which are subtracted. Equilibria with other values measure
+//! forces, and motions that a host prescribes.
 
 use super::given::Given;
 use super::linear::{Amplitude, Linear, Motion, Pole, PoleKind, Signal};
@@ -58,8 +58,8 @@ struct Parts {
 }
 
 impl Parts {
-    /// Those of rows of outputs at the amplitudes `1`, `−1`, `1/2`, `−1/2` about the rows without a motion, which
-    /// functions of time may move.
+    /// Those of rows of outputs at the amplitudes `1`, `−1`, `1/2`, `−1/2`, about rows without a motion. Functions of
+    /// time may move the latter.
     fn new(runs: &[Vec<Vec<f64>>; 4], about: &[Vec<f64>], kinds: &[usize], count: usize) -> Self {
         let zeros = || vec![0.0; count];
         let mut parts = Self { size: zeros(), linear: zeros(), even: zeros(), odd: zeros() };
@@ -378,8 +378,8 @@ impl Gauge {
         (Motion { weights, linear, even, odd }, Some(parts))
     }
 
-    /// The parts of the motion whose value is the state `name`, and by how much it moved; none: no host gives this
-    /// value, or equilibria are not found. A host that gives a rate does not move the value of an equilibrium.
+    /// The parts of the motion whose value is the state `name`, and by how much it moved. None: no host gives this value,
+    /// or equilibria are not found. A host that gives a rate does not move the value of an equilibrium.
     fn move_input(&self, simulation: &Simulation, name: &str) -> Option<(f64, Parts)> {
         let (givens, _) = simulation.givens(&self.run.runner.state);
         let is_own = |given: &&Given| given.states.as_ref().is_some_and(|[value, _]| value.0 == name);
@@ -390,7 +390,7 @@ impl Gauge {
     }
 
     /// The parts of the equilibria with other values of a force, and by how much it changed. The force is the input
-    /// `name` of the whole system, number `input`; none: it prescribes a motion, or equilibria are not found.
+    /// `name` of the whole system, number `input`. None: it prescribes a motion, or equilibria are not found.
     fn push(&self, simulation: &Simulation, whole: &Linear, input: usize, name: &str) -> Option<(f64, Parts)> {
         let (givens, _) = simulation.givens(&self.run.runner.state);
         let given = givens.iter().find(|given| given.name == name && given.states.is_none())?;
