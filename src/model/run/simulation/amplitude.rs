@@ -4,8 +4,8 @@
 //! and takes one period. Coordinates that start unmoved need no correction. A beam that is displaced along a linear
 //! shape would be stretched; a beam that is struck finds its own way. Runs with the amplitudes `±a` and `±a/2` tell the
 //! parts of outputs that grow with the second and third power. Errors of steps are linear, and cancel. A fifth run,
-//! without a vibration, has the effects of functions of time, which are subtracted. Equilibria with other values measure
-//! forces, and motions that a host prescribes.
+//! without a vibration, has the effects of functions of time, which are subtracted. Equilibria with other values
+//! measure forces, and motions that a host prescribes.
 
 use super::given::Given;
 use super::linear::{Amplitude, Linear, Motion, Pole, PoleKind, Signal};
@@ -378,8 +378,8 @@ impl Gauge {
         (Motion { weights, linear, even, odd }, Some(parts))
     }
 
-    /// The parts of the motion whose value is the state `name`, and by how much it moved. None: no host gives this value,
-    /// or equilibria are not found. A host that gives a rate does not move the value of an equilibrium.
+    /// The parts of the motion whose value is the state `name`, and by how much it moved. None: no host gives this
+    /// value, or equilibria are not found. A host that gives a rate does not move the value of an equilibrium.
     fn move_input(&self, simulation: &Simulation, name: &str) -> Option<(f64, Parts)> {
         let (givens, _) = simulation.givens(&self.run.runner.state);
         let is_own = |given: &&Given| given.states.as_ref().is_some_and(|[value, _]| value.0 == name);
