@@ -102,14 +102,15 @@ impl LinearSystem {
         self.linear.warnings.clone()
     }
 
-    /// The bytes of a file: `npz`, `mat` or `json`.
+    /// The bytes of a file: `npz`, `mat`, `mo` or `json`.
     fn file<'py>(&self, py: Python<'py>, kind: &str) -> PyResult<Bound<'py, PyBytes>> {
         let poles = self.poles.as_deref().unwrap_or_default();
         let version = env!("CARGO_PKG_VERSION");
-        let system = System { linear: &self.linear, poles, model: &self.model, version };
+        let system = System { linear: &self.linear, poles, model: &self.model, version, step: None };
         let bytes = match kind {
             "npz" => system.npz().map_err(|reason| PyRuntimeError::new_err(reason.to_string()))?,
             "mat" => system.mat(),
+            "mo" => system.modelica().into_bytes(),
             _ => system.json().into_bytes(),
         };
         Ok(PyBytes::new(py, &bytes))

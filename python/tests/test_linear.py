@@ -61,7 +61,7 @@ def test_files_have_the_same_numbers(tmp_path: Path) -> None:
     found = np.array(document["poles_real"]) + 1j * np.array(document["poles_imag"])
     assert len(found) == len(system.states)
     assert found[0] == system.poles[0] and found[1] == system.poles[0].conjugate()
-    with pytest.raises(ancf14.CallError, match="ends in .npz, .mat or .json"):
+    with pytest.raises(ancf14.CallError, match="ends in .npz, .mat, .json or .mo"):
         system.save(tmp_path / "m.csv")
 
 

@@ -19,9 +19,10 @@ pub use self::amplitude::{Amplitude, MOST_KINDS};
 pub use self::file::{File, MOST_STATES, Signal};
 pub use self::matrix::Matrix;
 pub use self::state::State;
+pub use self::system::System;
 
 use self::amplitude::{NAME, WARNED};
-use self::system::{Known, Stride, System, Unknown};
+use self::system::{Known, Stride, Unknown};
 use crate::fmi::continuous::Continuous;
 use crate::fmi::variable::Variable;
 use crate::fmi::{About, Failure, LogCategory, Model, Value};

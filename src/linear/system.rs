@@ -152,6 +152,17 @@ impl System {
         Some(change)
     }
 
+    /// The matrices `A` and `B` of a step with inputs that are held, `z⁺ = A z + B v`, in the units of the given
+    /// matrices; none: a number is not finite.
+    pub fn held(&self, length: f64) -> Option<[Matrix; 2]> {
+        let Step { mut a, mut b, .. } = Step::new(&self.a, &self.b, self.norm, length)?;
+        for (row, unit) in self.units.iter().enumerate() {
+            (0..a.columns).for_each(|column| *a.at_mut(row, column) *= unit / self.units[column]);
+            (0..b.columns).for_each(|column| *b.at_mut(row, column) *= unit);
+        }
+        (a.is_finite() && b.is_finite()).then_some([a, b])
+    }
+
     /// Makes the matrices of a step the first ones; returns their length, to which its round-off belongs not.
     fn prepare(&mut self, length: f64) -> Option<f64> {
         let rounded = self.rounded(length);

@@ -18,6 +18,7 @@ enum Format {
     Npz,
     Mat,
     Json,
+    Modelica,
     Fmu,
 }
 
@@ -29,9 +30,10 @@ impl Format {
             Some("npz") => Ok(Self::Npz),
             Some("mat") => Ok(Self::Mat),
             Some("json") => Ok(Self::Json),
+            Some("mo") => Ok(Self::Modelica),
             Some("fmu") => Ok(Self::Fmu),
             _ => Err(Stop::Bad(format!(
-                "error: {} has no ending that says what it is; give a file that ends in .npz, .mat, .json or .fmu",
+                "error: {} has no ending that says what it is; give a file that ends in .npz, .mat, .json, .mo or .fmu",
                 path.display()
             ))),
         }
@@ -73,14 +75,14 @@ impl<'a> Target<'a> {
                 let own = Libraries { own: packing.library.as_deref(), others: Vec::new(), program };
                 export::gather(packing.fmi, own)?
             }
-            Format::Npz | Format::Mat | Format::Json if packing.library.is_some() => {
+            _ if packing.library.is_some() => {
                 return Err(Stop::Bad(format!(
                     "error: --library is for an FMU, and {} is a file of matrices; leave --library out, or write a file that \
                      ends in .fmu",
                     path.display()
                 )));
             }
-            Format::Npz | Format::Mat | Format::Json => Vec::new(),
+            _ => Vec::new(),
         };
         let read = libraries.iter().map(|(_, path)| ("a library to pack", path.as_path()));
         let inputs: Vec<output::Input<'_>> = read.chain([model]).collect();
@@ -89,9 +91,19 @@ impl<'a> Target<'a> {
         Ok(Self { path, format, standard: packing.fmi, libraries })
     }
 
+    /// The file.
+    pub fn path(&self) -> &Path {
+        self.path
+    }
+
     /// Whether the file is an FMU.
     pub fn is_fmu(&self) -> bool {
         matches!(self.format, Format::Fmu)
+    }
+
+    /// Whether the file may have matrices of discrete time.
+    pub fn may_be_sampled(&self) -> bool {
+        !matches!(self.format, Format::Fmu | Format::Modelica)
     }
 
     /// Writes a system of `simulation`.
@@ -107,6 +119,7 @@ impl<'a> Target<'a> {
             }
             Format::Mat => system.mat(),
             Format::Json => system.json().into_bytes(),
+            Format::Modelica => system.modelica().into_bytes(),
             Format::Fmu => self.fmu(simulation, system, reduction)?,
         };
         output::write(self.path, &bytes)

@@ -12,6 +12,7 @@ use ancf14_report::bode;
 use ancf14_report::matrices::{System, word};
 use ancf14_report::numbers::significant;
 use ancf14_report::poles;
+use ancf14_report::sampled;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -36,7 +37,11 @@ pub struct Wishes {
     /// Draw the softest poles in the complex plane, as SVG: as many as --poles says
     #[arg(long, value_name = "FILE")]
     pole_map: Option<PathBuf>,
-    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, .json, or .fmu for a small FMU
+    /// Write the matrices of discrete time, with inputs that are held for this time, s
+    #[arg(long, value_name = "STEP", value_parser = held, requires = "output")]
+    discrete: Option<f64>,
+    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, .json, .mo for Modelica, or .fmu for a
+    /// small FMU
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -109,6 +114,11 @@ fn frequencies(text: &str) -> Result<[f64; 2], String> {
     ends.ok_or_else(|| "two frequencies above 0 in Hz were expected, the lower one first, as in 0.1:100".to_owned())
 }
 
+fn held(text: &str) -> Result<f64, String> {
+    let step = text.parse().ok().filter(|step: &f64| step.is_finite() && *step > 0.0);
+    step.ok_or_else(|| "a time above 0 was expected, in s, as in 0.01".to_owned())
+}
+
 fn steady(text: &str) -> Result<Turn, String> {
     let parts = text.rsplit_once('=').and_then(|(drive, speed)| Some((drive, speed.trim().parse::<f64>().ok()?)));
     let parts = parts.filter(|(drive, speed)| !drive.trim().is_empty() && speed.is_finite());
@@ -176,6 +186,13 @@ pub fn find(model: &ModelArguments, place: &Place) -> Result<(Simulation, Linear
 pub fn linearize(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -> Result<(), Stop> {
     let file = wishes.output.as_deref();
     let target = file.map(|path| Target::new(path, &wishes.packing, model.input(), program)).transpose()?;
+    if let Some(target) = target.as_ref().filter(|target| wishes.discrete.is_some() && !target.may_be_sampled()) {
+        return Err(Stop::Bad(format!(
+            "error: --discrete is for files of matrices, and {} is a system of continuous time; leave --discrete out, or \
+             write a file that ends in .npz, .mat or .json",
+            target.path().display()
+        )));
+    }
     let pictures = [("--bode", &wishes.bode), ("--pole-map", &wishes.pole_map)];
     let pictures: Vec<(&str, &PathBuf)> =
         pictures.into_iter().filter_map(|(option, path)| Some((option, path.as_ref()?))).collect();
@@ -199,8 +216,10 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>
         }
     };
     let name = simulation.about().name.clone();
-    let system = System { linear: &found, poles: &poles, model: &name, version: env!("CARGO_PKG_VERSION") };
     if let Some(target) = target {
+        let sampled = wishes.discrete.map(|step| sample(&found, step)).transpose()?;
+        let (linear, step) = (sampled.as_ref().unwrap_or(&found), wishes.discrete);
+        let system = System { linear, poles: &poles, model: &name, version: env!("CARGO_PKG_VERSION"), step };
         target.write(&simulation, &system, None)?;
     }
     if let Some(path) = &wishes.bode {
@@ -251,6 +270,15 @@ pub fn linearize(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>
         Some(path) => say(&format!("{counts}: {}", path.display())),
         None => say(&counts),
     }
+}
+
+/// The system whose inputs are held for `step`.
+fn sample(found: &Linear, step: f64) -> Result<Linear, Stop> {
+    sampled::held(found, step).ok_or_else(|| {
+        Stop::Failed(format!(
+            "error: with steps of {step} s the matrices have numbers that are not finite; take a shorter --discrete"
+        ))
+    })
 }
 
 /// A pole, and what a run shows of it.

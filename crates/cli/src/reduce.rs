@@ -29,7 +29,8 @@ pub struct Wishes {
     /// Print the largest error over many frequencies
     #[arg(long)]
     check: bool,
-    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, .json, or .fmu for a small FMU
+    /// The file: .npz for numpy and python-control, .mat for MATLAB and Octave, .json, .mo for Modelica, or .fmu for a
+    /// small FMU
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     #[command(flatten)]
@@ -76,7 +77,7 @@ pub fn reduce(model: &ModelArguments, wishes: &Wishes, program: Option<&Path>) -
     }
     let name = simulation.about().name.clone();
     let version = env!("CARGO_PKG_VERSION");
-    let system = System { linear: &found.linear, poles: &found.poles, model: &name, version };
+    let system = System { linear: &found.linear, poles: &found.poles, model: &name, version, step: None };
     let Reduced { linear, whole, kept, bound, error, .. } = &found;
     let reduction = Reduction { whole: *whole, kept: *kept, bound: *bound, error: *error };
     target.write(&simulation, &system, Some(reduction))?;

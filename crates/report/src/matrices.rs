@@ -17,6 +17,8 @@ pub struct System<'a> {
     pub model: &'a str,
     /// The version of the program.
     pub version: &'a str,
+    /// The time for which inputs are held, s; none: the system is one of continuous time.
+    pub step: Option<f64>,
 }
 
 /// How the motion of a pole goes on, in a word.
@@ -81,6 +83,8 @@ impl System<'_> {
             ("model", Array::Words(vec![self.model])),
             ("version", Array::Words(vec![self.version])),
         ]);
+        let step = self.step.map(|step| [step]);
+        arrays.extend(step.as_ref().map(|step| ("dt", Array::Reals(step))));
         npz(&arrays)
     }
 
@@ -109,6 +113,8 @@ impl System<'_> {
             ("model", Value::Text(self.model)),
             ("version", Value::Text(self.version)),
         ]);
+        let step = self.step.map(|step| [step]);
+        fields.extend(step.as_ref().map(|step| ("dt", column(step))));
         mat::file(&[("sys", Value::Structure(fields))])
     }
 
@@ -120,7 +126,7 @@ impl System<'_> {
             (0..matrix.rows).map(row).collect()
         };
         let [real, imaginary] = pole_parts(self.poles);
-        let document = json!({
+        let mut document = json!({
             "model": self.model, "version": self.version, "time": time,
             "A": rows(a), "B": rows(b), "C": rows(c), "D": rows(d),
             "u0": values(inputs), "y0": values(outputs),
@@ -128,6 +134,9 @@ impl System<'_> {
             "states": names(states), "inputs": names(inputs), "outputs": names(outputs),
             "state_units": units(states), "input_units": units(inputs), "output_units": units(outputs),
         });
+        if let Some(step) = self.step {
+            document["dt"] = json!(step);
+        }
         format!("{document}\n")
     }
 }

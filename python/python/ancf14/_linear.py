@@ -136,11 +136,11 @@ class Linearization:
         return control.ss(self.A, self.B, self.C, self.D, states=states, inputs=inputs, outputs=outputs)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Write the system to a file whose ending says what it is, and return the path: ``.npz`` for numpy, ``.mat`` for MATLAB and Octave, ``.json``."""
+        """Write the system to a file whose ending says what it is, and return the path: ``.npz`` for numpy, ``.mat`` for MATLAB and Octave, ``.json``, ``.mo`` for Modelica."""
         path = Path(path)
         kind = path.suffix.removeprefix(".")
-        if kind not in ("npz", "mat", "json"):
-            raise CallError(f"{path} has no ending that says what it is; give a path that ends in .npz, .mat or .json")
+        if kind not in ("npz", "mat", "json", "mo"):
+            raise CallError(f"{path} has no ending that says what it is; give a path that ends in .npz, .mat, .json or .mo")
         path.write_bytes(self._native.file(kind))
         return path
 

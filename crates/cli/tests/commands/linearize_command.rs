@@ -79,6 +79,65 @@ fn files_have_the_matrices() {
     }
 }
 
+/// With inputs that are held for `h`, the slider follows `A = exp(h A)` of `λ = −1 ± √99 i`, and its static answer stays
+/// `1/k`: `C (1 − A)⁻¹ B = 1/200`.
+#[test]
+fn sampled_matrices_are_exact() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("slider.toml"), SLIDER).unwrap();
+    let common = ["linearize", "slider.toml", "--inputs", "push.force[1]", "--outputs", "way.distance", "-o"];
+    let run = |more: &[&str]| ancf14(directory.path(), &[&common[..], more].concat());
+    assert!(run(&["s.json", "--discrete", "0.05"]).status.success());
+    let read = std::fs::read(directory.path().join("s.json")).unwrap();
+    let document: serde_json::Value = serde_json::from_slice(&read).unwrap();
+    assert_eq!(document["dt"], 0.05);
+    let number = |name: &str, row: usize, column: usize| document[name][row][column].as_f64().unwrap();
+    let (h, w) = (0.05_f64, 99.0_f64.sqrt());
+    let (decay, sine, cosine) = ((-h).exp(), (w * h).sin(), (w * h).cos());
+    let exact =
+        [[cosine + sine / w, sine / w], [-100.0 * sine / w, cosine - sine / w]].map(|row| row.map(|own| own * decay));
+    for (row, exact) in exact.iter().enumerate() {
+        // Round-off of a series and some doublings, beside an entry of 8.
+        (0..2).for_each(|column| assert!((number("A", row, column) - exact[column]).abs() < 1e-13, "{row} {column}"));
+    }
+    let [[a, b], [c, d]] = [0, 1].map(|row| [0, 1].map(|column| f64::from(row == column) - number("A", row, column)));
+    let [f, g] = [0, 1].map(|row| number("B", row, 0));
+    let answer = number("C", 0, 0) * (d * f - b * g) / (a * d - b * c);
+    assert!((200.0 * answer - 1.0).abs() < 1e-12, "{answer}");
+    for (file, expected) in [("s.mo", "s.mo is a system of continuous time"), ("s.json", "a time above 0 was expected")]
+    {
+        let refused = run(&[file, "--discrete", if file == "s.mo" { "0.05" } else { "0" }]);
+        assert!(!refused.status.success() && text(&refused.stderr).contains(expected), "{}", text(&refused.stderr));
+    }
+}
+
+/// A model of Modelica names inputs and outputs, takes whole values, and has the numbers of the matrices.
+#[test]
+fn models_of_modelica_are_written() {
+    let directory = tempfile::tempdir().unwrap();
+    let pushed = SLIDER.replace("force = [0, 0, 0]", "force = [3, 0, 0]").replace("Slider", "end");
+    std::fs::write(directory.path().join("slider.toml"), pushed).unwrap();
+    let inputs = ["--inputs", "push.force[1]", "--outputs", "way.distance,way.distance_rate", "-o", "s.mo"];
+    let output =
+        ancf14(directory.path(), &[&["linearize", "slider.toml", "--at", "equilibrium"], &inputs[..]].concat());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let model = std::fs::read_to_string(directory.path().join("s.mo")).unwrap();
+    // `end` is a word of the language.
+    assert!(model.starts_with("model x_end \"Linear system of end") && model.ends_with("end x_end;\n"), "{model}");
+    for line in [
+        "  Modelica.Blocks.Interfaces.RealInput push_force_1(unit = \"N\") \"push.force[1]\";",
+        "  Modelica.Blocks.Interfaces.RealOutput way_distance(unit = \"m\") \"way.distance\";",
+        "  parameter Real u0[1] = {3e0} \"inputs in the state that it is about\";",
+        "  system.u[1] = push_force_1 - u0[1];",
+        "  way_distance_rate = system.y[2] + y0[2];",
+    ] {
+        assert!(model.lines().any(|own| own == line), "{line} in {model}");
+    }
+    let rows = model.split("A = [").nth(1).unwrap().split(']').next().unwrap();
+    let a: Vec<f64> = rows.split([',', ';']).map(|own| own.trim().parse().unwrap()).collect();
+    assert!(a.iter().zip([0.0, 1.0, -100.0, -2.0]).all(|(own, exact)| (own - exact).abs() < 1e-9), "{a:?}");
+}
+
 /// A run that begins with the mode shows the pole to what its steps and its amplitude leave: 2e-5 of the midpoint rule
 /// with 400 steps in a period.
 #[test]
@@ -120,7 +179,7 @@ fn mistakes_are_told() {
     let directory = tempfile::tempdir().unwrap();
     let cantilever = model("cantilever");
     for (arguments, code, expected) in [
-        (&["-o", "m.csv"][..], 2, "ends in .npz, .mat, .json or .fmu"),
+        (&["-o", "m.csv"][..], 2, "ends in .npz, .mat, .json, .mo or .fmu"),
         (&["-o", "m.npz", "--library", "l.so"], 2, "--library is for an FMU"),
         (&["--at", "-1"], 2, "equilibrium, start or a time from 0 on"),
         (&["--at", "1e9"], 2, "is after the end of the run"),

@@ -89,7 +89,7 @@ fn mistakes_are_told() {
         ),
         (&["reduce", "arm.toml", "-o", "m.fmu", "--library", "nothing.so"], 2, "nothing.so"),
         (&["reduce", "arm.toml", "-o", "m.fmu", "--fmi", "4"], 2, "2 or 3 was expected"),
-        (&["reduce", "arm.toml", "-o", "m.fmi"], 2, "ends in .npz, .mat, .json or .fmu"),
+        (&["reduce", "arm.toml", "-o", "m.fmi"], 2, "ends in .npz, .mat, .json, .mo or .fmu"),
     ] {
         let output = ancf14(directory.path(), arguments);
         assert_eq!(output.status.code(), Some(code), "{arguments:?}: {}", text(&output.stderr));
