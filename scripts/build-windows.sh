@@ -1,14 +1,16 @@
 #!/bin/sh
-# Builds the library of FMUs for Windows (x86-64) on Debian: target/fmu/x86_64-windows/ancf14.dll, where `ancf14 pack` finds it. The standard library is built from
-# its source, since the compiler of the distribution is all there is. Needs, of Debian:
-#
-#     apt-get install rustc-web cargo-web rust-web-src gcc-mingw-w64-x86-64
+# Builds the library of FMUs and the program for Windows (x86-64) on Debian: target/fmu/x86_64-windows/ancf14.dll, where `ancf14 pack` finds it, and
+# ancf14.exe beside it. Needs what scripts/windows.sh needs.
 set -eu
 
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-$PWD/target}
-# Debian's own compiler, not one of rustup; building the standard library is an unstable feature of cargo.
-export PATH=/usr/bin:/bin RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1
-/usr/bin/cargo rustc --locked --profile fmu --package ancf14-library --lib --crate-type cdylib --target x86_64-pc-windows-gnu -Zbuild-std=std,panic_unwind
-mkdir -p "$target/fmu/x86_64-windows"
-cp "$target/x86_64-pc-windows-gnu/fmu/ancf14_library.dll" "$target/fmu/x86_64-windows/ancf14.dll"
+. scripts/windows.sh
+built=$target/$triple/fmu
+folder=$target/fmu/x86_64-windows
+cargo rustc --locked --profile fmu --package ancf14-library --lib --crate-type cdylib --target "$triple" -Z "$standard_library"
+# With the Python package cargo chooses the features of scripts/wheel.sh, as in scripts/build.sh.
+cargo build --locked --profile fmu --package ancf14-cli --package ancf14-python --bin ancf14 --target "$triple" -Z "$standard_library"
+mkdir -p "$folder"
+cp "$built/ancf14_library.dll" "$folder/ancf14.dll"
+cp "$built/ancf14.exe" "$folder/ancf14.exe"

@@ -32,7 +32,7 @@ fmu=$target/fmu
 mkdir -p "$fmu"
 # On its own: together with its rlib, cargo would silently drop the link-time optimization of the library.
 cargo rustc --locked --profile fmu --package ancf14-library --lib --crate-type cdylib
-# What was built from other sources is not delivered with it: the libraries for other platforms (scripts/build-platforms.sh), the component (scripts/build-component.sh), the solver of pages (scripts/build-wasm.sh).
+# What was built from other sources is not delivered with it: the libraries for other platforms and the program for Windows (scripts/build-platforms.sh), the component (scripts/build-component.sh), the solver of pages (scripts/build-wasm.sh).
 if [ -f "$fmu/$library" ] && ! cmp -s "$built/$built_library" "$fmu/$library"; then
     rm -rf "$fmu/aarch64-linux" "$fmu/x86_64-windows"
 fi
@@ -41,4 +41,7 @@ scripts/build-wasm.sh --check "$fmu/ancf14.wasm" 2> /dev/null || rm -f "$fmu/anc
 install -m 755 "$built/$built_library" "$fmu/$library"
 # The Python package is selected too, so that cargo chooses the features of scripts/wheel.sh, which then finds all but the module compiled; only the program is built.
 cargo build --locked --profile fmu --package ancf14-cli --package ancf14-python --bin ancf14
+if ! cmp -s "$built/ancf14" "$fmu/ancf14"; then
+    rm -f "$fmu/x86_64-windows/ancf14.exe"
+fi
 install -m 755 "$built/ancf14" "$fmu/ancf14"
