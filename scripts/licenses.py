@@ -3,7 +3,7 @@ program and the Python package, and licenses/solver.txt for the solver in pages,
 
     target/python-env/bin/python scripts/licenses.py
 
-Crates are those that the package of the library depends on under Linux; of crates without a file of their licence the text is that of
+Crates are those that the packages depend on under Linux and under Windows; of crates without a file of their licence the text is that of
 their licence expression.
 """
 
@@ -22,9 +22,9 @@ PAGES = {
     "solver.txt": ("the solver of this page, which is WebAssembly", ["ancf14-live"]),
 }
 FILES = re.compile(r"(?i)(licen[sc]e|copying|copyright|notice|unlicense)")
-TRIPLE = "x86_64-unknown-linux-gnu"
+TRIPLES = ["x86_64-unknown-linux-gnu", "x86_64-pc-windows-gnu"]
 # The platform of a package that is empty on others.
-OTHERS = {"ancf14-component": "wasm32-unknown-unknown"}
+OTHERS = {"ancf14-component": ["wasm32-unknown-unknown"]}
 GRANT = "Permission is hereby granted, free of charge"
 LINE = "=" * 100
 
@@ -61,8 +61,8 @@ def linked(page: str) -> list[dict]:
     by_name = {(package["name"], package["version"]): package for package in packages}
     lines = []
     for package in PAGES[page][1]:
-        target = OTHERS.get(package, TRIPLE)
-        tree = ["tree", "--package", package, "--edges", "normal,no-proc-macro", "--target", target, "--prefix", "none", "--format", "{p}"]
+        targets = [word for triple in OTHERS.get(package, TRIPLES) for word in ("--target", triple)]
+        tree = ["tree", "--package", package, "--edges", "normal,no-proc-macro", *targets, "--prefix", "none", "--format", "{p}"]
         lines += [line.split() for line in cargo(*tree).splitlines() if line]
     found = sorted({(name, version.removeprefix("v")) for name, version, *_ in lines})
     return [by_name[key] for key in found if by_name[key]["source"] is not None]
