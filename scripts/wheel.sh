@@ -4,6 +4,7 @@
 #
 #     sh scripts/wheel.sh                  for this computer; needs what scripts/build.sh builds
 #     sh scripts/wheel.sh aarch64-linux    for Linux on 64-bit ARM, from Linux on x86-64; also needs what scripts/build-aarch64.sh builds
+#     sh scripts/wheel.sh x86_64-windows   for Windows on x86-64, from Linux on x86-64; also needs what scripts/build-windows.sh builds
 #
 # The solver is there if scripts/build-wasm.sh has built it, and libraries for other platforms, which `pack` puts into FMUs, if scripts/build-platforms.sh has.
 set -eu
@@ -29,13 +30,22 @@ case ${1:-} in
         rm -f "$target"/wheels/*_aarch64.whl
         set -- --target "$triple" -Z "$standard_library" --compatibility manylinux2014
         ;;
+    x86_64-windows)
+        scripts/python-env.sh
+        . scripts/windows.sh
+        library=x86_64-windows/ancf14.dll
+        others="x86_64-linux/libancf14.so aarch64-linux/libancf14.so"
+        rm -f "$target"/wheels/*-win_amd64.whl
+        set -- --target "$triple" -Z "$standard_library"
+        ;;
     *)
-        echo "usage: sh scripts/wheel.sh [aarch64-linux]" >&2
+        echo "usage: sh scripts/wheel.sh [aarch64-linux | x86_64-windows]" >&2
         exit 2
         ;;
 esac
 package=python/python/ancf14
-cp "$target/fmu/$library" "$package/libancf14.so"
+rm -f "$package/libancf14.so" "$package/ancf14.dll"
+cp "$target/fmu/$library" "$package/${library##*/}"
 rm -rf "$package/x86_64-linux" "$package/aarch64-linux" "$package/x86_64-windows"
 for file in $others; do
     # The library of this computer lies in no folder.

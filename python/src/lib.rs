@@ -9,6 +9,7 @@ mod run;
 mod simulation;
 mod study;
 
+use ancf14::fmi::location::LIBRARY;
 use pyo3::prelude::*;
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -23,6 +24,7 @@ fn command(py: Python<'_>, arguments: Vec<OsString>, program: PathBuf) -> u8 {
 #[pymodule]
 fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add("LIBRARY", LIBRARY)?;
     module.add_class::<linear::LinearSystem>()?;
     module.add_class::<campbell::FoundCampbell>()?;
     module.add_class::<simulation::Simulation>()?;

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import CallError, RunError, missing, raising, warn
+from ._native import LIBRARY
 
 if TYPE_CHECKING:
     from ._native import LinearSystem, Simulation
@@ -155,7 +156,7 @@ class Linearization:
             raise CallError(f"an FMU has a name that ends in .fmu, {path} does not")
         if fmi not in (2, 3):
             raise CallError(f"fmi is 2 or 3, not {fmi}")
-        library = Path(__file__).with_name("libancf14.so")
+        library = Path(__file__).with_name(LIBRARY)
         try:
             content, warnings = self._simulation.pack_linear(self._native, str(library), fmi)
         except RuntimeError as reason:

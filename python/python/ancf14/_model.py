@@ -414,7 +414,7 @@ class Model:
             raise CallError(f"an FMU has a name that ends in .fmu, {path} does not")
         if fmi not in (2, 3):
             raise CallError(f"fmi is 2 or 3, not {fmi}")
-        library = Path(__file__).with_name("libancf14.so")
+        library = Path(__file__).with_name(_native.LIBRARY)
         simulation = self._open()
         searches = refine and simulation.leaves_mesh()
         if inputs is not None and not searches:

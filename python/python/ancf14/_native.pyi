@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 __version__: str
+LIBRARY: str
 
 class Refusal(Exception): ...
 
