@@ -73,10 +73,15 @@ impl<'p> Folder<'p> {
         if real.starts_with(&own) {
             return Ok(());
         }
-        let message =
-            format!("`{name}` is {}, outside of the folder of the model file, {}", real.display(), own.display());
+        let message = format!("`{name}` is {}, outside of the folder of the model file, {}", shown(&real), shown(&own));
         Err(Refusal { message, help: WAY_OUT })
     }
+}
+
+/// A whole path without the prefix `\\?\` that Windows gives it, which no reader writes.
+fn shown(path: &Path) -> String {
+    let text = path.display().to_string();
+    text.strip_prefix(r"\\?\").unwrap_or(&text).to_owned()
 }
 
 /// A path without `parts/..` and `.`: two ways to write one file are one file.
@@ -91,4 +96,15 @@ pub fn normalized(path: &Path) -> PathBuf {
         }
     }
     normal
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_are_shown_as_readers_write_them() {
+        assert_eq!(shown(Path::new(r"\\?\C:\models\m.toml")), r"C:\models\m.toml");
+        assert_eq!(shown(Path::new("/models/m.toml")), "/models/m.toml");
+    }
 }
