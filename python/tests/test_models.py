@@ -133,6 +133,14 @@ def test_a_page_shows_the_run_that_has_the_results() -> None:
     assert results.view("page.html").html == Path("out/view.html").read_text()
 
 
+def test_a_file_keeps_its_ends_of_lines() -> None:
+    """As the program packs it: the GUID of an FMU is that of the text."""
+    Path("rod.toml").write_text(ROD, newline="\r\n")
+    packed = program(Path.cwd(), "pack", "rod.toml", "-o", "packed.fmu", "--no-refine")
+    assert packed.returncode == 0, packed
+    assert ancf14.Model("rod.toml").pack("own.fmu", refine=False).read_bytes() == Path("packed.fmu").read_bytes()
+
+
 def test_units_have_the_elements_that_were_found() -> None:
     Path("rod.toml").write_text(ROD)
     model = ancf14.Model("rod.toml")

@@ -79,5 +79,5 @@ class Campbell:
         path = Path(path)
         if path.suffix not in (".csv", ".svg"):
             raise CallError(f"{path} has no ending that says what it is; give a path that ends in .csv or .svg")
-        path.write_text(self._native.text(path.suffix.removeprefix(".")), encoding="utf-8")
+        path.write_text(self._native.text(path.suffix.removeprefix(".")), encoding="utf-8", newline="")
         return path

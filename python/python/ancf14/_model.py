@@ -97,7 +97,9 @@ class Model:
         self, file: str | os.PathLike[str], parameters: Parameters | None = None, *, allow_outside: bool = False
     ) -> None:
         try:
-            text = Path(file).read_text(encoding="utf-8")
+            # The bytes as they are: their ends of lines count in the GUID of an FMU.
+            with open(file, encoding="utf-8", newline="") as opened:
+                text = opened.read()
         except (OSError, UnicodeDecodeError) as reason:
             raise ModelError(f"cannot read {os.fspath(file)}: {reason}") from None
         folder = os.path.dirname(os.path.abspath(file))
@@ -394,7 +396,7 @@ class Model:
         """Draw the mechanism, as SVG; with a ``path`` also write it to that file."""
         picture = Picture(self._open().drawing())
         if path is not None:
-            Path(path).write_text(picture.svg, encoding="utf-8")
+            Path(path).write_text(picture.svg, encoding="utf-8", newline="")
         return picture
 
     def pack(self, path: str | os.PathLike[str], *, fmi: int = 2, refine: bool = True, inputs: Inputs | None = None) -> Path:

@@ -224,7 +224,7 @@ class Results(Mapping[str, Array]):
         if page is None:
             raise error or CallError("the page cannot be written")
         target = Path(path) if path is not None else Path(tempfile.mkdtemp(prefix="ancf14-")) / "view.html"
-        target.write_text(page, encoding="utf-8")
+        target.write_text(page, encoding="utf-8", newline="")
         if path is None and "ipykernel" not in sys.modules:
             webbrowser.open(target.as_uri())
         return Page(target, page)
