@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tests what scripts/release.sh has made: the checksums; the archive, unpacked into another folder, by its program, a C program and its book, and
-# by FMUs on 64-bit ARM (qemu) and Windows (Wine), if it has libraries for them; the wheels, by their tags, hashes and libraries; the one for this computer, installed into
-# an empty environment, target/wheel-env, by the tests of the Python package.
+# by FMUs on 64-bit ARM (qemu) and Windows (Wine), if it has libraries for them; the archive for Windows under Wine, if it is there; the wheels, by their tags, hashes and libraries; the
+# one for this computer, installed into an empty environment, target/wheel-env, by the tests of the Python package.
 set -eu
 
 cd "$(dirname "$0")/.."
@@ -44,9 +44,14 @@ scripts/python-env.sh
 if [ -d "$place/lib/aarch64-linux" ] && [ -d "$place/lib/x86_64-windows" ]; then
     "$target/python-env/bin/python" scripts/platforms.py "$place/bin/ancf14"
 fi
+for archive in dist/ancf14-*-windows-*.zip; do
+    if [ -f "$archive" ]; then
+        "$target/python-env/bin/python" scripts/windows.py "$place/bin/ancf14" "$archive"
+    fi
+done
 for wheel in dist/ancf14-*.whl; do
     case $wheel in
-        *manylinux*) "$target/python-env/bin/python" scripts/check_wheel.py "$wheel" ;;
+        *manylinux* | *win_amd64*) "$target/python-env/bin/python" scripts/check_wheel.py "$wheel" ;;
         *) test -f "$wheel" ;;
     esac
 done

@@ -147,6 +147,8 @@ def run_commands(windows: Windows) -> None:
     windows.ran("header", "Träger.toml", "-o", "Träger.h")
     windows.ran("man", "man")
     windows.ran("completions", "powershell")
+    windows.ran("demo")
+    windows.wrote("ancf14-demo-results/results.csv")
     windows.wrote("Träger.npz", "Träger.mat", "klein.fmu", "Bode.svg", "weniger.mat", "Drehzahl.csv", "Drehzahl.svg")
     windows.wrote("Träger.html", "zwei Läufe.html", "Träger.h")
     windows.wrote("Träger vtk/beams.pvd", "man/ancf14.1")
