@@ -1,6 +1,7 @@
 //! Do the programs of docs/programming.md run as the page says? Its commands are run as they are printed, with what
 //! scripts/install.sh has installed, and must print what the page says they print. A wrong flag, a missing file or
 //! another number would fail here.
+#![cfg(unix)]
 
 use std::fs;
 use std::os::unix::fs::symlink;
