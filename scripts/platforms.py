@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[1]
 MODELS = {"pendulum": 1.0, "crane": 2.0, "four_bar": 0.5, "lateral_buckling": 0.2, "rotating_shaft": 0.05}
 SHARE = 1e-5
 """The largest difference of an output, as a share of its largest value. Libraries of C round `sin` and `pow` differently in the last digit, 1e-16. A beam that buckles and
-a shaft in resonance make 5e-7 of that (docs/portability.md); this is twenty times as much."""
+a shaft in resonance make 1e-7 of that (docs/portability.md); this is a hundred times as much."""
 # Folder in an FMU of FMI 3.0, target of Zig, how a program of that platform is started here, and what to install for that.
 PLATFORMS = {
     "x86_64-linux": ("x86_64-linux-gnu.2.17", [], ""),
