@@ -9,7 +9,7 @@ target=${CARGO_TARGET_DIR:-$PWD/target}
 built=$target/$triple/fmu
 folder=$target/fmu/x86_64-windows
 cargo rustc --locked --profile fmu --package ancf14-library --lib --crate-type cdylib --target "$triple" -Z "$standard_library"
-# With the Python package cargo chooses the features of scripts/wheel.sh, as in scripts/build.sh.
+# The Python package is selected too, as in scripts/build.sh, so that cargo chooses the features of scripts/wheel.sh.
 cargo build --locked --profile fmu --package ancf14-cli --package ancf14-python --bin ancf14 --target "$triple" -Z "$standard_library"
 mkdir -p "$folder"
 cp "$built/ancf14_library.dll" "$folder/ancf14.dll"

@@ -24,7 +24,7 @@ MACHINES = {"x86_64": "x64", "aarch64": "AArch64"}
 WINDOWS = "win_amd64"
 # Libraries for other platforms by their folder, as `find_others` of crates/pack looks for them, with the processor of those for Linux.
 OTHERS = {"ancf14/x86_64-linux/libancf14.so": "x64", "ancf14/aarch64-linux/libancf14.so": "AArch64"}
-# What every Windows has had since Windows 8.
+# Every Windows since 10 has them.
 PARTS_OF_WINDOWS = re.compile(r"(?i)(kernel32|ntdll|msvcrt|ws2_32|userenv|bcrypt(primitives)?|advapi32|api-ms-win-core-[\w-]+)\.dll")
 
 

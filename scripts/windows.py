@@ -123,7 +123,7 @@ def run_commands(windows: Windows) -> None:
     windows.wrote("Bild.svg", "Bild.png")
     if json.loads(windows.ran("--json", "check", "Träger.toml"))["variables"] == []:
         sys.exit("`check --json` lists no variables")
-    # By a whole path of Windows, too.
+    # A whole path of Windows works, too.
     windows.ran("run", on_drive(windows.place / "Träger.toml"), "--view", "--verify")
     windows.wrote("Träger-results/results.csv", "Träger-results/errors.csv", "Träger-results/index.html", "Träger-results/view.html")
     # The second run takes the place of the first one.
