@@ -279,6 +279,12 @@ end = decimal(*.to)
         /// What it has paid out at the start, m.
         value: f64,
     },
+    /// The motion does not begin as a steady rotation.
+    #[error("the motion cannot begin as a steady rotation: {reason}")]
+    NoSteadyStart {
+        /// Why, with the remedy.
+        reason: String,
+    },
     /// A drive does not begin where the system is drawn.
     #[error(
         "the drive {drive} begins at {value}, but the coordinates of joints are 0 as drawn; let it begin at 0, draw the mechanism \

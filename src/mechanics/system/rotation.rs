@@ -59,6 +59,22 @@ pub struct Rotation {
     frames: Vec<bool>,
 }
 
+impl NoRotation {
+    /// Why the drive `name` turns nothing steadily, in a sentence.
+    pub fn of_drive(self, name: &str) -> String {
+        match self {
+            Self::NotAnAngle => format!(
+                "drive {name} does not prescribe an angle, and a steady rotation needs one; name a drive with \
+                 coordinate = \"angle\""
+            ),
+            Self::Held => format!(
+                "drive {name} does not turn the mechanism as a whole: joints hold its part to the ground, or let it \
+                 turn about another axis only"
+            ),
+        }
+    }
+}
+
 impl System {
     /// The parts that move as a whole: 0 is the ground with all frames, then come beams and bodies.
     fn part_of(&self, marker: &Marker) -> usize {
@@ -86,6 +102,17 @@ impl System {
         };
         let local = index - start;
         (!is_twisted || local != THETA).then_some(start + local / VECTOR * VECTOR)
+    }
+
+    /// A kind of part that steady rotations do not take into account; none: it has none.
+    pub fn part_against_steady_rotation(&self) -> Option<&'static str> {
+        let parts = [
+            (!self.winches.is_empty(), "a winch"),
+            (self.is_in_fluid(), "water or air"),
+            (!self.foundations.is_empty(), "a foundation"),
+            (!self.ropes.is_empty(), "a rope over sheaves"),
+        ];
+        parts.into_iter().find_map(|(is_there, what)| is_there.then_some(what))
     }
 
     /// The rotation with `speed` rad/s that drive `drive` makes of what it turns, at `state`.

@@ -4,3 +4,4 @@ pub mod generalized_alpha;
 pub mod midpoint;
 mod power;
 pub mod start;
+pub mod turning;

@@ -26,6 +26,7 @@ mod shear_of_modes;
 mod slender_derivatives;
 pub mod start_derivatives;
 pub mod steady_rotation;
+mod steady_start;
 pub mod step_derivatives;
 pub mod stiff;
 pub mod winches;

@@ -10,7 +10,7 @@ use ancf14_testing::running::value;
 const INDEX: &str = include_str!("../../../../docs/how-do-i.md");
 
 /// The name, the result at the end, its value by a closed form, and the tolerance of the comparison.
-const STATED: [(&str, &str, f64, f64); 19] = [
+const STATED: [(&str, &str, f64, f64); 20] = [
     // Winkler: F (k/(4 EI))^0.25/(2 k); the supports stand 0.25 m apart and the ends are free: 1 %.
     ("RailOnBed", "settlement.displacement[3]", -1.187e-3, 1e-2),
     // Frýba's series with the rotary inertia of Rayleigh's beam: the accuracy, 1e-3 of a range ten times as large.
@@ -47,6 +47,8 @@ const STATED: [(&str, &str, f64, f64); 19] = [
     ("ShakenMast", "head_motion.displacement[1]", 0.0219337, 2e-3),
     // 4 pi + atan2(cos(0.5) sin(10), cos(10)): the accuracy of the steps, and a twist of 1e-6 rad.
     ("CardanShaft", "turned.angle", 9.942084, 1e-3),
+    // m L^2 Omega^2/2, and 1e-4 more because of the elongation: the default accuracy of the steps.
+    ("BladeAtSpeed", "root.section_force[1]", 34_560.0, 1e-3),
     // m a + k x + 50 N at an angle of 20 rad, 40 cos(20) N and 15 (1 - cos(20)) N: the accuracy of the steps.
     ("Cam", "on_cam.effort", 60.5111, 1e-3),
     // 0.4 50^2/(2 20): the accuracy of the steps.

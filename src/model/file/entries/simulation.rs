@@ -167,6 +167,8 @@ pub enum Initial {
     AsDrawn,
     /// The static equilibrium at the start, at rest.
     Equilibrium,
+    /// The steady rotation that a drive makes.
+    Steady,
 }
 
 const ANALYSES: [(&str, Analysis); 2] = [("dynamic", Analysis::Dynamic), ("static", Analysis::Static)];
@@ -181,7 +183,8 @@ const TOTALS: [(&str, Total); 4] = [
 ];
 /// Those of a file that names none.
 const USUAL_TOTALS: [Total; 3] = [Total::Energy, Total::Momentum, Total::Statistics];
-const INITIALS: [(&str, Initial); 2] = [("as_drawn", Initial::AsDrawn), ("equilibrium", Initial::Equilibrium)];
+const INITIALS: [(&str, Initial); 3] =
+    [("as_drawn", Initial::AsDrawn), ("equilibrium", Initial::Equilibrium), ("steady", Initial::Steady)];
 
 /// A word of `integrator`.
 #[derive(Clone, Copy)]
@@ -217,7 +220,7 @@ impl SimulationSpec {
         }
         let preload = reader.optional(&PRELOAD);
         let from_state = reader.text("from_state");
-        if from_state.is_some() && initial == Some(Initial::Equilibrium) {
+        if from_state.is_some() && matches!(initial, Some(Initial::Equilibrium | Initial::Steady)) {
             let message = "`initial` and `from_state` both say what the motion begins with";
             let label = "remove it: the motion begins with the state";
             reader.context.report.error(initial_place, message, label, "");

@@ -9,7 +9,7 @@ use crate::mechanics::system::{AT_BREAK, System};
 use crate::model::builder::{self, Built};
 use crate::model::file::document::Document;
 use crate::model::file::entries::simulation::{Analysis, Initial};
-use crate::solve::dynamics::start;
+use crate::solve::dynamics::{start, turning};
 use crate::solve::step::course::{Course, Noting};
 use crate::solve::step::integrator::{Integrator, grid_step};
 use crate::solve::step::limits;
@@ -134,18 +134,23 @@ impl Runner {
         let Self { system, state, start: time, .. } = self;
         let simulation = &document.simulation;
         warnings.extend(system.jumps(*time, document.value(simulation.stop)));
+        let moves = state.is_moving();
+        let unused = |why: &str| format!("the given initial velocities are not used: the motion begins {why}");
         match simulation.initial {
             Initial::AsDrawn => {
                 start::check_drives(system, state)?;
                 start::move_frames(system, state)?;
             }
             Initial::Equilibrium => {
-                let moves = state.is_moving();
                 warnings.extend(start::find_equilibrium(system, state, *time, document.value(simulation.tolerance))?);
-                if moves {
-                    let why = "the motion begins at an equilibrium";
-                    warnings.push(format!("the given initial velocities are not used: {why}"));
-                }
+                warnings.extend(moves.then(|| unused("at an equilibrium")));
+            }
+            Initial::Steady => {
+                start::check_drives(system, state)?;
+                start::move_frames(system, state)?;
+                let tolerance = document.value(simulation.tolerance);
+                warnings.extend(turning::find_steady_rotation(system, state, tolerance)?);
+                warnings.extend(moves.then(|| unused("as a steady rotation")));
             }
         }
         self.set_motion("the given initial velocities", warnings)

@@ -8,7 +8,7 @@ use crate::mechanics::input::guide::Drive;
 use crate::mechanics::marker::relative_coordinate::Measure;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
-use crate::mechanics::system::rotation::{NoRotation, Rotation};
+use crate::mechanics::system::rotation::Rotation;
 use crate::solve::dynamics::start::find_equilibrium;
 use crate::solve::linearization::Linearization;
 use crate::solve::linearization::base::Base;
@@ -69,17 +69,16 @@ impl<'a> Rotor<'a> {
             let known = if known.is_empty() { String::from("none") } else { known.join(", ") };
             return Err(wrong(format!("the model has no drive `{name}`; its drives are: {known}")));
         };
-        if !own.winches.is_empty() || own.is_in_fluid() || !own.foundations.is_empty() || !own.ropes.is_empty() {
-            return Err(wrong(String::from(
-                "a mechanism with a winch, a foundation, a rope over sheaves, water or air does not turn steadily \
-                 here; remove them from the model",
+        if let Some(what) = own.part_against_steady_rotation() {
+            return Err(wrong(format!(
+                "a mechanism with {what} does not turn steadily here; remove it from the model"
             )));
         }
         let mut state = simulation.state().clone();
         state.velocity.fill(0.0);
         state.prescribed.stop();
         state.held.clear();
-        let unit = own.rotation(&state, drive, 1.0).map_err(|reason| no_rotation(name, reason))?;
+        let unit = own.rotation(&state, drive, 1.0).map_err(|reason| wrong(reason.of_drive(name)))?;
         let across = own.gravity.cross(&unit.axis).norm();
         if !is_weightless && across > ALONG * own.gravity.norm() {
             return Err(wrong(format!(
@@ -169,19 +168,6 @@ impl<'a> Rotor<'a> {
             self.name
         ))
     }
-}
-
-fn no_rotation(name: &str, reason: NoRotation) -> Failure {
-    wrong(match reason {
-        NoRotation::NotAnAngle => format!(
-            "drive {name} does not prescribe an angle, and a steady rotation needs one; name a drive with coordinate = \
-             \"angle\""
-        ),
-        NoRotation::Held => format!(
-            "drive {name} does not turn the mechanism as a whole: joints hold its part to the ground, or let it \
-             turn about another axis only"
-        ),
-    })
 }
 
 impl Simulation {
