@@ -72,7 +72,9 @@ fn time(text: &str) -> Result<f64, String> {
 pub fn modes(mut simulation: Simulation, wishes: Wishes, directory: &Path, inputs: &[Input<'_>]) -> Result<(), Stop> {
     if wishes.time.is_some() && simulation.document().simulation.analysis != Analysis::Static {
         return Err(Stop::Bad(
-            "error: --time is for analysis = \"static\"; other modes are those of the start".to_owned(),
+            "error: --time is for analysis = \"static\"; other modes are those of the start. ancf14 linearize --at \
+             finds the vibrations about a time of a motion"
+                .to_owned(),
         ));
     }
     let stop = simulation.about().stop;

@@ -169,5 +169,8 @@ pub fn norm(response: &[Complex], rows: usize) -> f64 {
         return f64::INFINITY;
     }
     let columns = response.len() / rows.max(1);
+    if rows == 0 || columns == 0 {
+        return 0.0;
+    }
     DMatrix::from_column_slice(rows, columns, response).singular_values().iter().copied().fold(0.0, f64::max)
 }

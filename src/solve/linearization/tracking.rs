@@ -143,12 +143,21 @@ fn product(left: &[Complex], right: &[Complex]) -> Complex {
     left.iter().zip(right).map(|(left, right)| left * right).sum()
 }
 
-/// How the motion of `mode` turns about the axis of `rotation`, by the sign of `Im(zᴴ M (ω × z))`. Where less than
-/// a twentieth of the motion is a circle, the same with `1/size²` of positions and 1 of all else in place of `M` tells
-/// it: the director along the axis of a thin disk has no inertia, so that `M` does not see its tilt.
+/// How the motion of `mode` turns about the axis of `rotation`, by its [`circle`].
 pub fn whirl(system: &System, base: &Base, rotation: &Rotation, selection: &Selection, mode: &Eigen) -> Whirl {
+    match circle(system, base, rotation, selection, mode) {
+        share if share > WHIRLS => Whirl::Forward,
+        share if share < -WHIRLS => Whirl::Backward,
+        _ => Whirl::None,
+    }
+}
+
+/// The share of the motion of `mode` that is a circle about the axis of `rotation`, negative against it:
+/// `Im(zᴴ M (ω × z))`. Where it is less than a twentieth, the same with `1/size²` of positions and 1 of all else in
+/// place of `M` tells it: the director along the axis of a thin disk has no inertia, so that `M` does not see its tilt.
+pub fn circle(system: &System, base: &Base, rotation: &Rotation, selection: &Selection, mode: &Eigen) -> f64 {
     if rotation.speed == 0.0 {
-        return Whirl::None;
+        return 0.0;
     }
     let (_, [real, imaginary]) = shape(selection, &mode.right);
     let state = &base.state;
@@ -172,11 +181,7 @@ pub fn whirl(system: &System, base: &Base, rotation: &Rotation, selection: &Sele
         circle.copysign(circle * mode.value.im) / whole
     };
     let whirls = |share: &f64| share.abs() > WHIRLS;
-    match Some(share(&by_mass)).filter(whirls).or_else(|| Some(share(&by_size)).filter(whirls)) {
-        Some(share) if share > 0.0 => Whirl::Forward,
-        Some(_) => Whirl::Backward,
-        None => Whirl::None,
-    }
+    Some(share(&by_mass)).filter(whirls).unwrap_or_else(|| share(&by_size))
 }
 
 /// The part that a mode moves most, in words; without a direction where it whirls, since it then moves along all of

@@ -21,6 +21,22 @@ output.mass = { at = "y", quantities = ["distance"] }
 simulation = { stop = 2, step = 1e-3 }
 "#;
 
+/// A balanced disk of 5 kg in the middle of a steel shaft with internal damping, which is unstable above its critical
+/// speed.
+const SHAFT: &str = r#"format = 1
+model = { name = "Shaft", gravity = [0, 0, 0] }
+material.steel = { young = 2.1e11, poisson = 0.3, density = 7850, damping = 2e-4 }
+section.shaft = { shape = "circle", radius = 0.01 }
+beam.shaft = { material = "steel", section = "shaft", from = [0, 0, 0], to = [1, 0, 0], elements = 8 }
+body.disk = { mass = 5, position = [0.5, 0, 0], inertia = [0.025, 0.0125, 0.0125] }
+joint.hub = { type = "weld", a = "shaft@0.5", b = "disk", at = [0.5, 0, 0] }
+joint.left = { type = "revolute", a = "ground", b = "shaft.start", axis = [1, 0, 0] }
+joint.right = { type = "inline", a = "ground", b = "shaft.end", axis = [1, 0, 0] }
+drive.motor = { joint = "left", coordinate = "angle", rate = "60*smoothstep(0, 0.3, t)" }
+output.whirl = { at = "shaft@0.5", quantities = ["displacement"] }
+simulation = { stop = 0.5, output_step = 2e-3 }
+"#;
+
 fn ancf14(directory: &Path, arguments: &[&str]) -> Output {
     std::fs::write(directory.join("whirl.toml"), WHIRL).unwrap();
     Command::new(env!("CARGO_BIN_EXE_ancf14")).current_dir(directory).args(arguments).output().unwrap()
@@ -48,6 +64,49 @@ fn tables_and_diagrams_have_the_vibrations() {
     }
     let picture = std::fs::read_to_string(directory.path().join("c.svg")).unwrap();
     assert!(picture.contains("mode 1") && picture.contains("1 x and 2 x the speed"), "{}", &picture[..200]);
+}
+
+/// A rotor without an unbalance has no steady rotation at its critical speed itself, where nothing holds the whirl: the
+/// search goes on beside it.
+#[test]
+fn balanced_rotors_pass_their_critical_speed() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::write(directory.path().join("shaft.toml"), SHAFT).unwrap();
+    let output = ancf14(directory.path(), &["campbell", "shaft.toml", "--speeds", "0:300:50", "--json"]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let critical = document["critical_speeds"].as_array().unwrap();
+    let forward: Vec<f64> =
+        critical.iter().filter(|own| own["direction"] == "forward").map(|own| own["speed"].as_f64().unwrap()).collect();
+    // The left bearing holds the slope, the right one does not. Rayleigh's quotient with the shape of a force in the
+    // middle, w = x^2 (9 - 11 x) and y (3 - 5 y^2) from the other end: the shaft counts with the mean of its square, and
+    // the disk with a slope of 6/7, forward and as fast as the rotation. The true shape makes 1e-3 at most.
+    let (inertia, mass) = (std::f64::consts::PI * 1e-8 / 4.0, 7850.0 * std::f64::consts::PI * 1e-4);
+    let mean_square = (81.0 / 160.0 - 33.0 / 64.0 + 121.0 / 896.0 + 3.0 / 8.0 - 6.0 / 32.0 + 25.0 / 896.0) / 0.765625;
+    let of_disk = 5.0 + (0.0125 - 0.025) * (6.0_f64 / 7.0).powi(2);
+    let exact = (768.0 / 7.0 * 2.1e11 * inertia / (of_disk + mean_square * mass)).sqrt();
+    assert!(forward.len() == 1 && (forward[0] / exact - 1.0).abs() < 1e-3, "{forward:?} {exact}");
+}
+
+/// A system in which nothing fades is kept as a whole: there is nothing to leave out.
+#[test]
+fn systems_that_do_not_fade_stay_whole() {
+    let directory = tempfile::tempdir().unwrap();
+    let output = ancf14(directory.path(), &["reduce", "whirl.toml", "--order", "50", "-o", "small.json"]);
+    let told = [&output.stdout, &output.stderr].map(|own| String::from_utf8_lossy(own).into_owned()).concat();
+    assert!(output.status.code().is_some_and(|code| code < 3) && !told.contains("panicked"), "{told}");
+}
+
+/// For programs: what moves most in each mode, beside speeds and frequencies.
+#[test]
+fn programs_get_what_moves() {
+    let directory = tempfile::tempdir().unwrap();
+    let output = ancf14(directory.path(), &["campbell", "whirl.toml", "--speeds", "0:8:4", "--json"]);
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let moves: Vec<&str> = document["moves"].as_array().unwrap().iter().map(|own| own.as_str().unwrap()).collect();
+    let modes = document["modes"][0].as_array().unwrap();
+    assert!(moves.len() == 2 && (modes.len() == 2 || document["modes"].as_array().unwrap().len() == 2), "{document}");
+    assert!(moves.iter().all(|own| ["carrier", "mass"].contains(own)), "{moves:?}");
 }
 
 /// `linearize --steady` names the rotation and the frame; `modes` names the command.

@@ -10,7 +10,7 @@ use crate::solve::linear::eigen::Eigen;
 use crate::solve::linearization::independent::Selection;
 use crate::solve::linearization::poles::PoleKind;
 use crate::solve::linearization::steady::matrix;
-use crate::solve::linearization::tracking::{Spectrum, continued, moves, whirl};
+use crate::solve::linearization::tracking::{Spectrum, circle, continued, moves, whirl};
 
 pub use crate::solve::linearization::tracking::Whirl;
 
@@ -19,10 +19,14 @@ const MOST_HALVINGS: u32 = 8;
 /// Critical speeds and the limit of stability are found to this share of them.
 const ACCURATE: f64 = 1e-7;
 const MOST_ITERATIONS: usize = 60;
+/// How far beside a critical speed one is looked at that has no steady rotation, as a share of it.
+const BESIDE: f64 = 1e-5;
 /// Sweeps of a critical speed by the secant rule.
 const SWEEPS: usize = 30;
 /// Damping ratio of a mode that fades beyond doubt.
 const FADING: f64 = 1e-8;
+/// A mode of which this share is a circle does not answer to a load that goes round the other way.
+const ROUND: f64 = 0.99;
 /// Poles this near to each other have vectors of one space.
 const JOINED: f64 = 1e-5;
 
@@ -196,6 +200,12 @@ impl Stop {
         self.followed.iter().map(own).collect()
     }
 
+    /// The share of a mode that is a circle, negative against the rotation.
+    fn circle(&self, rotor: &Rotor, selection: &Selection, mode: usize) -> f64 {
+        let (base, rotation) = (&self.turning.bases[0], &self.turning.rotation);
+        circle(&rotor.system, base, rotation, selection, &self.spectrum.modes[self.followed[mode]])
+    }
+
     fn value(&self, mode: usize) -> Complex {
         self.spectrum.modes[self.followed[mode]].value
     }
@@ -260,10 +270,21 @@ impl Simulation {
                     let is_asked = excitation == Excitation::Once || frame == Frame::Turning;
                     let kind = Lack::Frequency(excitation);
                     let [before, after] = [&last, &next].map(|stop| stop.lacks(mode, kind));
-                    if is_asked && before != 0.0 && before * after <= 0.0 {
-                        let speed = follower.crossing(&last, &next, (mode, kind))?;
-                        critical.push(Critical { speed, mode, whirl: point.whirl, excitation });
+                    if !is_asked || before == 0.0 || before * after > 0.0 {
+                        continue;
                     }
+                    // In the frame that turns, loads that stand still outside go round against the rotation.
+                    let goes_with = frame == Frame::Turning && next.circle(&rotor, &own, mode) > ROUND;
+                    if excitation == Excitation::Once && goes_with {
+                        continue;
+                    }
+                    // A mode that stands still in that frame whirls with the rotation; beyond, it falls behind.
+                    let whirl = match (excitation, point.whirl) {
+                        (Excitation::TurnsAlong, Whirl::Backward) => Whirl::Forward,
+                        (_, own) => own,
+                    };
+                    let speed = follower.crossing(&last, &next, (mode, kind))?;
+                    critical.push(Critical { speed, mode, whirl, excitation });
                 }
             }
             if limit.is_none() && next.spectrum.is_unstable() {
@@ -299,8 +320,13 @@ impl Follower<'_> {
         let [mut near, mut far] = [last, next].map(|stop| (stop.speed(), stop.lacks(mode, kind)));
         for _ in 0..SWEEPS {
             let speed = far.0 - far.1 * (far.0 - near.0) / (far.1 - near.1);
-            let stop = self.advance(last, speed, MOST_HALVINGS)?;
-            let value = stop.lacks(mode, kind);
+            let stop = match self.advance(last, speed, MOST_HALVINGS) {
+                Ok(stop) => stop,
+                // A critical speed itself may have no steady rotation: nothing holds the mode there.
+                Err(_) if (speed - far.0).abs() <= 2.0 * BESIDE * speed.abs() => return Ok(speed),
+                Err(_) => self.advance(last, (1.0 - BESIDE) * speed, MOST_HALVINGS)?,
+            };
+            let (speed, value) = (stop.speed(), stop.lacks(mode, kind));
             if value == 0.0 || (speed - far.0).abs() <= ACCURATE * speed.abs() {
                 return Ok(speed);
             }

@@ -179,7 +179,11 @@ impl Simulation {
             if found.peek().is_none() {
                 let known: Vec<&str> = all.iter().map(|own| own.name.as_str()).collect();
                 let known = if known.is_empty() { String::from("none") } else { known.join(", ") };
-                return Err(wrong(format!("the linear system has no input `{name}`; its inputs are: {known}")));
+                return Err(wrong(format!(
+                    "the linear system has no input `{name}`; its inputs are: {known}. A load, an actuator or a drive \
+                     becomes one with input = true in the model file; an actuator of its own with input = true disturbs \
+                     a joint that a controller holds"
+                )));
             }
             for given in found {
                 if !chosen.contains(given) {
