@@ -5,5 +5,6 @@
 mod campaign;
 mod how_do_i;
 mod model_file;
+mod trust;
 mod validation;
 mod words;
