@@ -3,6 +3,7 @@
 
 use super::lay::jumper;
 use crate::running::{run, start, value, vector};
+use ancf14::fmi::{Model, Value};
 
 /// The tension at the top every 2 s of the motion, from 2 s on, kN: along itself, and upwards.
 const ALONG: [f64; 39] = [
@@ -47,4 +48,33 @@ fn a_riser_that_is_moved_along_itself() {
 #[test]
 fn a_riser_that_leaves_the_water() {
     assert!(difference(&format!("[0, 0, \"{MOTION} - 5\"]"), &UPWARDS) < 0.06);
+}
+
+/// A host sets the place of the top every 0.1 s: it is approached on a cubic, so that the tension stays within 0.1 kN of
+/// that of the motion as an expression. With a velocity that jumps between calls it would be 2.5 kN off.
+#[test]
+fn a_riser_that_a_host_moves() {
+    const EVERY: f64 = 0.1;
+    let simulation = "[simulation]\ninitial = \"equilibrium\"\nstop = 60\nstep = 0.1\n";
+    let mut of_expression = start(&jumper(10, &format!("[\"{MOTION}\", 0, -5]"), "", simulation));
+    let mut of_host = start(&jumper(10, "[0, 0, -5]\ninput = true", "", simulation));
+    let own = of_host.variables().iter().position(|variable| variable.name == "vessel.position[1]").unwrap();
+    let motion = |t: f64| {
+        let share = (t / 27.0).min(1.0);
+        let ramp = share.powi(3) * (6.0 * share * share - 15.0 * share + 10.0);
+        ramp * 10.0 * (std::f64::consts::TAU * t / 27.0).sin()
+    };
+    let mut largest = 0.0_f64;
+    for number in 1..=(60.0 / EVERY) as u32 {
+        let end = f64::from(number) * EVERY;
+        of_host.set_value(own, Value::Real(motion(end))).unwrap();
+        for simulation in [&mut of_host, &mut of_expression] {
+            simulation.advance(end).unwrap_or_else(|failure| panic!("at {end} s: {}", failure.message));
+        }
+        let [host, expression] =
+            [&of_host, &of_expression].map(|simulation| vector(simulation, "top.reaction_force").norm() / 1e3);
+        largest = largest.max((host - expression).abs());
+    }
+    println!("{largest} kN");
+    assert!(largest < 0.1);
 }
