@@ -21,6 +21,37 @@ fn is_read(number: &Value, value: f64) -> bool {
     (number.as_f64().unwrap() - value).abs() <= 2.0 * f64::EPSILON * value.abs()
 }
 
+/// A run of many steps says what keeps them short, on the terminal and for programs; one of few steps does not.
+#[test]
+fn long_runs_say_what_keeps_their_steps_short() {
+    let slider = |stop: f64| {
+        format!(
+            "format = 1\nmodel = {{ name = \"Fast\", gravity = [0, 0, 0] }}\n\
+             body.slider = {{ mass = 1, position = [0, 0, 0], inertia = [0.1, 0.1, 0.1], velocity = [1, 0, 0] }}\n\
+             joint.rail = {{ type = \"prismatic\", a = \"ground\", b = \"slider\", axis = [1, 0, 0], stiffness = 4e5 }}\n\
+             output.way = {{ at = \"rail\", quantities = [\"distance\"] }}\n\
+             simulation = {{ stop = {stop}, output_step = 0.1 }}\n"
+        )
+    };
+    for (stop, is_long) in [(0.4, false), (4.0, true)] {
+        let directory = tempfile::tempdir().unwrap();
+        std::fs::write(directory.path().join("fast.toml"), slider(stop)).unwrap();
+        let ran = run(directory.path(), "fast.toml", &["--no-refine"]);
+        assert!(ran.status.success(), "{}", text(&ran.stderr));
+        let summary = summary(directory.path());
+        let (steps, limits) = (summary["steps"].as_u64().unwrap(), summary["step_limits"].as_str());
+        assert!((steps >= 20_000) == is_long && limits.is_some() == is_long, "{steps} {limits:?}");
+        assert!(limits.is_none_or(|limits| limits.contains("mostly because of slider (along x)")), "{limits:?}");
+        let line = text(&ran.stdout).lines().find_map(|line| line.strip_prefix("steps: ").map(str::to_owned));
+        assert_eq!(line.as_deref(), limits, "{}", text(&ran.stdout));
+        // A period of 10 ms between rows of 0.1 s: their extremes are not those of the motion.
+        let told = text(&ran.stdout);
+        let (_, rest) = told.split_once("give simulation.output_step = ").unwrap_or_else(|| panic!("{told}"));
+        let every: f64 = rest.split(' ').next().unwrap().parse().unwrap();
+        assert!((1e-5..2e-3).contains(&every), "{told}");
+    }
+}
+
 /// Every column has the extremes, their first times and the last value that its numbers in results.csv have; `--json`
 /// prints the file.
 #[test]
