@@ -110,7 +110,7 @@ enum Command {
         /// Run once, also where the model file leaves the steps or the elements of a beam to the program
         #[arg(long, conflicts_with_all = ["refine", "budget"])]
         no_refine: bool,
-        /// Bound of the cost of all repetitions together, over the cost of the first run [default: 20, and some seconds
+        /// Bound of the cost of all repetitions together, over the cost of the first run [default: 20, and half a minute
         /// in any case]
         #[arg(long, value_name = "TIMES", value_parser = arguments::budget)]
         budget: Option<f64>,
@@ -148,7 +148,7 @@ enum Command {
         /// The copy [default: MODEL.tuned.toml, beside the model file]
         #[arg(short, long, value_name = "OUT.toml")]
         output: Option<PathBuf>,
-        /// Bound of the cost of all repetitions together, over the cost of the first run [default: 20, and some seconds
+        /// Bound of the cost of all repetitions together, over the cost of the first run [default: 20, and half a minute
         /// in any case]
         #[arg(long, value_name = "TIMES", value_parser = arguments::budget)]
         budget: Option<f64>,

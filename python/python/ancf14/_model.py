@@ -171,7 +171,7 @@ class Model:
 
         Where the model file leaves the steps or the elements of a beam to the program, and the results are not accurate to 0.5 % of their range, the
         model runs again with finer steps and meshes, as by ``ancf14 run``: ``budget`` is what these runs may cost together, over the cost of
-        the first one (by default 20, and some seconds in any case). ``refine=True`` also does so where the file has an ``accuracy``; ``refine=False`` runs once. ``Results.settings`` has the numbers that were found.
+        the first one (by default 20, and half a minute in any case). ``refine=True`` also does so where the file has an ``accuracy``; ``refine=False`` runs once. ``Results.settings`` has the numbers that were found.
         """
         told: list[str] = []
         try:

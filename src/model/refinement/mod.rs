@@ -26,9 +26,9 @@ use crate::model::file::entries::simulation::{Analysis, Follow};
 /// The cost of all runs after the first one at most, over that of the first one, unless another budget is asked for:
 /// two repetitions with twice the steps and up to twice the elements.
 const BUDGET: f64 = 20.0;
-/// The cost that they may always have then, in steps times elements: 5 to 10 s. A first run that takes a tenth of a
-/// second is no reason to leave results inexact.
-const LEAST_COST: f64 = 5e5;
+/// The cost that they may always have then, in steps times elements: half a minute. A first run that takes a second is
+/// no reason to leave results inexact.
+const LEAST_COST: f64 = 3e6;
 /// Most parts of a step in the next run: estimates are not trusted further.
 const MOST_PARTS: u32 = 4;
 /// How much finer the mesh becomes: where it is suspected, and where it only follows the steps.
@@ -66,6 +66,8 @@ pub enum End {
     Budget,
     /// Two refinements in a row did not bring the runs nearer to each other.
     Sensitive,
+    /// The same for forces, strains or accelerations alone: the motion is right, and a vibration in them is not.
+    Ringing,
     /// The next run failed, for this reason; the one before counts.
     Failed(String),
 }
@@ -139,7 +141,7 @@ pub fn leaves_mesh(document: &Document) -> bool {
 impl Refinement {
     /// Prepares `simulation`, which is not initialized yet, to be repeated; none where the file gives everything, or
     /// where its results are too many to be kept. `budget` is what the further runs may cost, over the cost of the
-    /// first one; none: 20 times that, and some seconds in any case.
+    /// first one; none: 20 times that, and half a minute in any case.
     pub fn of(simulation: &mut Simulation, budget: Option<f64>) -> Option<Self> {
         let document = simulation.document();
         let is_motion = document.simulation.analysis == Analysis::Dynamic;
@@ -324,7 +326,9 @@ impl Refinement {
         let excess = |all: &[Inexact]| all.iter().map(Inexact::excess).fold(0.0, f64::max);
         let (own, apart, apart_before) = (excess(&errors), excess(&distances), excess(&before));
         if self.runs > 2 && apart > FALLEN * apart_before && apart > SENSITIVE {
-            self.end = Some(End::Sensitive);
+            let mut of_motion = errors.iter().filter(|own| !own.is_rough).peekable();
+            let is_motion_right = of_motion.peek().is_some() && of_motion.all(|own| own.excess() <= 1.0);
+            self.end = Some(if is_motion_right { End::Ringing } else { End::Sensitive });
         }
         // Both parts after this refinement, brought to the error that is measured.
         let falls = [steps.powf(FIRST_ORDER), mesh.powf(ORDER_OF_MESH_OF_RATES)];

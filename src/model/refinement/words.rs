@@ -24,7 +24,12 @@ impl Outcome {
                 error => at_most(error),
             },
         );
-        format!("{runs} run{plural}{mesh}, {what} reached: {reached}")
+        // As the warning about the shortfall says it.
+        let is_reached = self.end == End::Reached || worst.as_ref().is_none_or(|worst| worst.excess() <= WARNED);
+        match is_reached {
+            true => format!("{runs} run{plural}{mesh}, {what} reached: {reached}"),
+            false => format!("{runs} run{plural}{mesh}, {what} not reached: {reached}"),
+        }
     }
 
     /// The results that did not reach the accuracy, in a sentence, of a single run too; none: all did, or nearly.
@@ -64,6 +69,11 @@ impl Outcome {
                  limit point, or the result may have no limit, as a strain at the point of a load. Read it further \
                  from joints and loads, or end the load earlier"
             )),
+            End::Ringing => Some(format!(
+                "{off}, and finer steps bring the runs no nearer to each other, while the motion itself is right: a \
+                 fast vibration is in it, whose phase the steps lose. Give the material damping, let speeds and loads \
+                 begin smoothly, begin a rotation with initial = \"steady\", or judge its mean"
+            )),
             End::Sensitive => Some(format!(
                 "{off}, and finer steps bring the runs no nearer to each other: small differences grow in this \
                  motion, so that no steps give the same rows to the end. Judge a shorter time, or means over many runs"
@@ -93,6 +103,18 @@ mod tests {
         };
         assert!(line(1e-13).ends_with("accuracy reached: less than 0.00010 %"), "{}", line(1e-13));
         assert!(line(2.5e-3).ends_with("accuracy reached: 0.25 %"));
+    }
+
+    /// A run that ends off by more than it is warned of has not reached its accuracy.
+    #[test]
+    fn accuracies_that_are_missed_are_not_told_as_reached() {
+        let line = |error: f64, end: End| {
+            let worst = Some(Inexact { name: String::from("tip.position"), error, is_rough: false });
+            let (chooses_mesh, is_motion, is_path, budget) = (true, true, false, 20.0);
+            Outcome { runs: 3, elements: 96, chooses_mesh, is_motion, is_path, worst, end, budget }.line()
+        };
+        assert_eq!(line(0.05, End::Budget), "3 runs, 96 elements, accuracy not reached: 5.0 %");
+        assert_eq!(line(0.008, End::Budget), "3 runs, 96 elements, accuracy reached: 0.80 %");
     }
 
     /// A run that its budget ends is warned of beyond 1 %, and a path by arc length after its first run too: it has no

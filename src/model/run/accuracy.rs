@@ -48,6 +48,8 @@ pub struct Columns {
     families: Vec<Family>,
     /// The first results of all rotation vectors.
     rotations: Vec<usize>,
+    /// The rows are equilibria.
+    are_equilibria: bool,
 }
 
 /// A result that is followed.
@@ -118,8 +120,8 @@ pub struct Inexact {
 }
 
 impl Columns {
-    /// Those of `table`.
-    pub fn new(table: &Table) -> Self {
+    /// Those of `table`; `are_equilibria`: nothing moves.
+    pub fn new(table: &Table, are_equilibria: bool) -> Self {
         let (mut columns, mut families) = (Vec::new(), Vec::<Family>::new());
         let (quantities, is_shown) = (table.quantities_of_results(), table.shown_results());
         let mut known = BTreeMap::new();
@@ -149,7 +151,7 @@ impl Columns {
         }
         let rotations = columns.iter().filter(|column| quantities[column.result] == Some(Quantity::Rotation));
         let rotations = rotations.step_by(3).map(|column| column.result).collect();
-        Self { columns, families, rotations }
+        Self { columns, families, rotations, are_equilibria }
     }
 
     /// Replaces rotation vectors of `other` by those of `own` plus the turn from one to the other.
@@ -269,7 +271,11 @@ impl Accuracy {
         let mut spans = vec![Span::default(); columns.families.len()];
         for (column, [low, high]) in columns.columns.iter().zip(&self.ranges) {
             let size = low.abs().max(high.abs());
-            spans[column.family].include(if column.from_zero { size } else { high - low }, size);
+            // The energy of loads that stay is a constant of equilibria: its range is round-off.
+            let is_constant = columns.are_equilibria
+                && columns.families[column.family].name == scale::ENERGY
+                && high - low <= scale::CONSTANT * size;
+            spans[column.family].include(if column.from_zero || is_constant { size } else { high - low }, size);
         }
         spans
     }

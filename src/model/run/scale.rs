@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A quantity that changes by less than this share of its size is a constant: it is compared with its size.
-const CONSTANT: f64 = 1e-6;
+pub const CONSTANT: f64 = 1e-6;
 /// A quantity below this share of what its unit amounts to in the system is zero: the round-off of large numbers that
 /// cancel.
 const ZERO: f64 = 1e-9;

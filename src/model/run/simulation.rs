@@ -127,7 +127,7 @@ impl Simulation {
         let document = Arc::new(document);
         let mut simulation = Self {
             about,
-            columns: Arc::new(Columns::new(&table)),
+            columns: Arc::new(Columns::new(&table, document.simulation.analysis == Analysis::Static)),
             accuracy: Accuracy::default(),
             looker: Looker::default(),
             overrides,
