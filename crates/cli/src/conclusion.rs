@@ -139,7 +139,7 @@ pub fn tell(summary: &Summary, simulation: &Simulation, outcome: Option<&Outcome
             say(&format!(
                 "the extremes are those of the rows, and the solver took {} steps for each row: give \
                  simulation.output_step = {every} to see what happens between them",
-                steps / (summary.rows as u64 - 1)
+                steps / (summary.rows - 1)
             ))?;
         }
     }
@@ -148,7 +148,7 @@ pub fn tell(summary: &Summary, simulation: &Simulation, outcome: Option<&Outcome
 
 /// An output step that shows the vibrations that the steps resolve, s; none: the rows do already.
 fn rows_that_miss_peaks(summary: &Summary, simulation: &Simulation) -> Option<f64> {
-    let intervals = (summary.rows as u64).checked_sub(1).filter(|count| *count > 0)?;
+    let intervals = summary.rows.checked_sub(1).filter(|count| *count > 0)?;
     let chooses_steps = simulation.document().pacing(0.0).is_some();
     (chooses_steps && summary.steps >= STEPS_OF_A_ROW * intervals).then(|| {
         let every = STEPS_BETWEEN_ROWS * (summary.reached - simulation.about().start) / summary.steps as f64;
