@@ -273,7 +273,7 @@ impl Simulation {
                     if !is_asked || before == 0.0 || before * after > 0.0 {
                         continue;
                     }
-                    // In the frame that turns, loads that stand still outside go round against the rotation.
+                    // Loads that stand still outside go round against the rotation in the frame that turns.
                     let goes_with = frame == Frame::Turning && next.circle(&rotor, &own, mode) > ROUND;
                     if excitation == Excitation::Once && goes_with {
                         continue;
