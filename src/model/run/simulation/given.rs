@@ -181,8 +181,8 @@ impl Simulation {
                 let known = if known.is_empty() { String::from("none") } else { known.join(", ") };
                 return Err(wrong(format!(
                     "the linear system has no input `{name}`; its inputs are: {known}. A load, an actuator or a drive \
-                     becomes one with input = true in the model file; an actuator of its own with input = true disturbs \
-                     a joint that a controller holds"
+                     becomes one with input = true in the model file; an actuator of its own with input = true \
+                     disturbs a joint that a controller holds"
                 )));
             }
             for given in found {
