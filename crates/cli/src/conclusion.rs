@@ -26,10 +26,6 @@ pub const PAGE: &str = "index.html";
 const LINES: usize = 10;
 /// Digits of the numbers in it.
 const DIGITS: usize = 4;
-/// Steps of a row from which on rows may miss peaks: a vibration takes some tens of steps.
-const STEPS_OF_A_ROW: u64 = 8;
-/// Steps between two rows that show it.
-const STEPS_BETWEEN_ROWS: f64 = 2.0;
 
 /// Sums up a run that took these counts and `wall` seconds; none if it has no row. `settings` are the overrides of
 /// `--set`; `outcome` is there if the run may have been repeated.
@@ -133,27 +129,7 @@ pub fn tell(summary: &Summary, simulation: &Simulation, outcome: Option<&Outcome
     if !outcome.is_some_and(|outcome| outcome.runs > 1 || outcome.is_path) {
         tell_estimates(simulation)?;
     }
-    if let Some(table) = table(&summary.columns, document.row_heading()) {
-        say(&table)?;
-        if let Some(every) = rows_that_miss_peaks(summary, simulation) {
-            say(&format!(
-                "the extremes are those of the rows, and the solver took {} steps for each row: give \
-                 simulation.output_step = {every} to see what happens between them",
-                steps / (summary.rows - 1)
-            ))?;
-        }
-    }
-    Ok(())
-}
-
-/// An output step that shows the vibrations that the steps resolve, s; none: the rows do already.
-fn rows_that_miss_peaks(summary: &Summary, simulation: &Simulation) -> Option<f64> {
-    let intervals = summary.rows.checked_sub(1).filter(|count| *count > 0)?;
-    let chooses_steps = simulation.document().pacing(0.0).is_some();
-    (chooses_steps && summary.steps >= STEPS_OF_A_ROW * intervals).then(|| {
-        let every = STEPS_BETWEEN_ROWS * (summary.reached - simulation.about().start) / summary.steps as f64;
-        significant(every, 2).parse().unwrap_or(every)
-    })
+    table(&summary.columns, document.row_heading()).map_or(Ok(()), |table| say(&table))
 }
 
 /// Says how exact the results of a single run are.

@@ -44,11 +44,6 @@ fn long_runs_say_what_keeps_their_steps_short() {
         assert!(limits.is_none_or(|limits| limits.contains("mostly because of slider (along x)")), "{limits:?}");
         let line = text(&ran.stdout).lines().find_map(|line| line.strip_prefix("steps: ").map(str::to_owned));
         assert_eq!(line.as_deref(), limits, "{}", text(&ran.stdout));
-        // A period of 10 ms between rows of 0.1 s: their extremes are not those of the motion.
-        let told = text(&ran.stdout);
-        let (_, rest) = told.split_once("give simulation.output_step = ").unwrap_or_else(|| panic!("{told}"));
-        let every: f64 = rest.split(' ').next().unwrap().parse().unwrap();
-        assert!((1e-5..2e-3).contains(&every), "{told}");
     }
 }
 
