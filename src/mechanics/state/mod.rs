@@ -69,6 +69,13 @@ pub struct State {
 }
 
 impl State {
+    /// Stops everything: parts, drives and frames. Nothing is held.
+    pub fn stop(&mut self) {
+        self.velocity.fill(0.0);
+        self.prescribed.stop();
+        self.held.clear();
+    }
+
     /// The `t` that functions of time are taken at: the time, or the parameter of a path, s.
     pub fn instant(&self) -> f64 {
         self.path.as_ref().map_or(self.time, |path| path.parameter)

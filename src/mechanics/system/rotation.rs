@@ -24,6 +24,9 @@ const ALLOWED: f64 = 1e-6;
 /// Numbers of a vector.
 const VECTOR: usize = 3;
 
+/// Gravity beside the axis by more than this share of it turns with respect to the mechanism.
+const ALONG: f64 = 1e-9;
+
 /// Why a drive turns nothing steadily.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoRotation {
@@ -113,6 +116,13 @@ impl System {
             (!self.ropes.is_empty(), "a rope over sheaves"),
         ];
         parts.into_iter().find_map(|(is_there, what)| is_there.then_some(what))
+    }
+
+    /// The gravity across the axis of `rotation`, m/s²: it turns with respect to what rotates. None: gravity is along
+    /// the axis.
+    pub fn gravity_across(&self, rotation: &Rotation) -> Option<f64> {
+        let across = self.gravity.cross(&rotation.axis).norm();
+        (across > ALONG * self.gravity.norm()).then_some(across)
     }
 
     /// The rotation with `speed` rad/s that drive `drive` makes of what it turns, at `state`.

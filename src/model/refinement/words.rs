@@ -71,8 +71,8 @@ impl Outcome {
             )),
             End::Ringing => Some(format!(
                 "{off}, and finer steps bring the runs no nearer to each other, while the motion itself is right: a \
-                 fast vibration is in it, whose phase the steps lose. Give the material damping, let speeds and loads \
-                 begin smoothly, begin a rotation with initial = \"steady\", or judge its mean"
+                 vibration of this result is too fast for the steps, which lose its phase. Give the material damping, \
+                 let speeds and loads begin smoothly, begin a rotation with initial = \"steady\", or judge its mean"
             )),
             End::Sensitive => Some(format!(
                 "{off}, and finer steps bring the runs no nearer to each other: small differences grow in this \

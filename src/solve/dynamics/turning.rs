@@ -8,9 +8,6 @@ use crate::mechanics::state::{State, Statistics};
 use crate::mechanics::system::System;
 use crate::solve::linearization::steady;
 
-/// Gravity beside the axis by more than this share of it turns with respect to the mechanism.
-const ALONG: f64 = 1e-9;
-
 /// Takes `state`, as drawn, to the steady rotation of the drive that turns at its time; returns what the user should
 /// know of it.
 ///
@@ -29,10 +26,12 @@ pub fn find_steady_rotation(system: &System, state: &mut State, tolerance: f64) 
         [own] => own,
         [] => {
             let remedy = "give a drive a rate, or take initial = \"equilibrium\"";
-            return Err(refused(format!("no drive of an angle turns there; {remedy}")));
+            return Err(refused(format!("no drive of an angle turns at the start; {remedy}")));
         }
         [(_, one, _), (_, other, _), ..] => {
-            return Err(refused(format!("the drives {one} and {other} both turn there; take initial = \"as_drawn\"")));
+            return Err(refused(format!(
+                "the drives {one} and {other} both turn at the start; take initial = \"as_drawn\""
+            )));
         }
     };
     if let Some(what) = system.part_against_steady_rotation() {
@@ -40,9 +39,7 @@ pub fn find_steady_rotation(system: &System, state: &mut State, tolerance: f64) 
             "a mechanism with {what} does not turn steadily here; take initial = \"as_drawn\""
         )));
     }
-    state.velocity.fill(0.0);
-    state.prescribed.stop();
-    state.held.clear();
+    state.stop();
     let rotation = system.rotation(state, number, speed).map_err(|reason| refused(reason.of_drive(name)))?;
     let mut at_rest = state.clone();
     // A mechanism that only the rotation holds has no equilibrium at rest.
@@ -52,14 +49,12 @@ pub fn find_steady_rotation(system: &System, state: &mut State, tolerance: f64) 
     steady::find(system, &rotation, 0.0, state)
         .map_err(|error| refused(format!("drive {name} turns with {speed} rad/s, and {error}")))?;
     state.statistics = Statistics::default();
-    let across = system.gravity.cross(&rotation.axis).norm();
-    let is_steady = across <= ALONG * system.gravity.norm();
-    Ok(if is_steady {
-        Vec::new()
-    } else {
-        vec![format!(
-            "gravity is not along the axis of drive {name}: the steady rotation that the motion begins with has it \
-             turn with the mechanism, and the motion deviates from there"
-        )]
-    })
+    let warning = system.gravity_across(&rotation).map(|across| {
+        format!(
+            "{across:.3} m/s2 of gravity are across the axis of drive {name} and turn with respect to the mechanism: \
+             the motion begins in the shape that gravity gives it at the start, and vibrates from there. Damping of \
+             the material ends that"
+        )
+    });
+    Ok(warning.into_iter().collect())
 }

@@ -20,8 +20,6 @@ use std::f64::consts::TAU;
 pub use super::linear::Steady;
 pub use crate::solve::linearization::steady::Frame;
 
-/// Gravity beside the axis by more than this share of it makes the motion periodic.
-const ALONG: f64 = 1e-9;
 /// Softest modes in which the linear systems at two angles must be the same.
 const MODES: usize = 16;
 
@@ -75,12 +73,9 @@ impl<'a> Rotor<'a> {
             )));
         }
         let mut state = simulation.state().clone();
-        state.velocity.fill(0.0);
-        state.prescribed.stop();
-        state.held.clear();
+        state.stop();
         let unit = own.rotation(&state, drive, 1.0).map_err(|reason| wrong(reason.of_drive(name)))?;
-        let across = own.gravity.cross(&unit.axis).norm();
-        if !is_weightless && across > ALONG * own.gravity.norm() {
+        if let Some(across) = own.gravity_across(&unit).filter(|_| !is_weightless) {
             return Err(wrong(format!(
                 "gravity is not along the axis of drive {name}: {across:.3} m/s2 of it turn with respect to the \
                  mechanism, and the motion is periodic, not steady. Leave it out with --without-gravity"
