@@ -50,8 +50,8 @@ fn a_riser_that_leaves_the_water() {
     assert!(difference(&format!("[0, 0, \"{MOTION} - 5\"]"), &UPWARDS) < 0.06);
 }
 
-/// A host sets the place of the top every 0.1 s: it is approached on a cubic, so that the tension stays within 0.1 kN of
-/// that of the motion as an expression. With a velocity that jumps between calls it would be 2.5 kN off.
+/// A host sets the place of the top every 0.1 s, the end of each communication step: the tension stays within 0.1 kN of
+/// that of the motion as an expression.
 #[test]
 fn a_riser_that_a_host_moves() {
     const EVERY: f64 = 0.1;
