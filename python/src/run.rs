@@ -232,6 +232,7 @@ fn advance(
         let values = inputs.get(at..).unwrap_or_default();
         driven.iter().zip(values).try_for_each(|(id, value)| simulation.set_value_of(*id, *value))
     };
+    simulation.look_at_all_steps();
     set(simulation, 0)?;
     let mut row = 0;
     simulation.run_while(|simulation| {
@@ -246,6 +247,7 @@ fn advance(
             rows.warnings.append(&mut simulation.take_warnings());
             rows.ranges = simulation.model().ranges();
         }
+        rows.ranges.include_between(simulation.model().between_rows());
         rows.ranges.include(decimal(simulation.time()), simulation.model().results());
         rows.times.push(decimal(simulation.time()));
         for id in &outputs {

@@ -1,4 +1,4 @@
-//! Runs that are repeated with finer steps and meshes until they are accurate.
+//! Runs that are repeated with finer steps and meshes until they are accurate, and looked at between rows.
 
 use super::Simulation;
 use crate::model::refinement::{Found, Outcome, Refinement};
@@ -10,6 +10,11 @@ impl Simulation {
     /// [`Self::repeated`] decides after [`Self::finish`].
     pub fn refine(&mut self, budget: Option<f64>) -> Option<Refinement> {
         Refinement::of(self.mechanism_mut(), budget)
+    }
+
+    /// Lets ranges along beams include the steps between rows, of the runs that begin from now on.
+    pub fn look_at_all_steps(&mut self) {
+        self.mechanism_mut().look_at_all_steps();
     }
 
     /// Shows the row that is reached to `refinement`.

@@ -71,10 +71,13 @@ impl Attempt {
                 refinement.look(simulation);
             }
             locked(rows).push(time, &results.record(time, simulation)).map_err(End::Write)?;
+            results.include_between(|reference| simulation.extremes_between_rows(reference));
+            ranges.include_between(simulation.between_rows());
             ranges.include(time, simulation.results());
             film.iter_mut().for_each(|film| film.look(row, simulation));
             Ok(())
         };
+        simulation.look_at_all_steps();
         // The bar appears with the first row.
         if let Some(inputs) = inputs {
             inputs.start(simulation, begin).map_err(|failure| End::Model(failed(simulation, &failure)))?;

@@ -26,6 +26,9 @@ pub const PAGE: &str = "index.html";
 const LINES: usize = 10;
 /// Digits of the numbers in it.
 const DIGITS: usize = 4;
+/// Share of a range by which extremes lie beyond the rows before a line says so: rows of a twentieth of a period miss
+/// this much of an amplitude, 1 - cos(pi/20), and no plot shows less.
+const HIDDEN: f64 = 0.02;
 
 /// Sums up a run that took these counts and `wall` seconds; none if it has no row. `settings` are the overrides of
 /// `--set`; `outcome` is there if the run may have been repeated.
@@ -129,7 +132,24 @@ pub fn tell(summary: &Summary, simulation: &Simulation, outcome: Option<&Outcome
     if !outcome.is_some_and(|outcome| outcome.runs > 1 || outcome.is_path) {
         tell_estimates(simulation)?;
     }
-    table(&summary.columns, document.row_heading()).map_or(Ok(()), |table| say(&table))
+    table(&summary.columns, document.row_heading()).map_or(Ok(()), |table| say(&table))?;
+    hidden(summary, simulation.about().start).map_or(Ok(()), |hint| say(&hint))
+}
+
+/// Tells the result of the table whose extremes lie the furthest beyond those of the rows: its plot and results.csv
+/// miss them.
+fn hidden(summary: &Summary, start: f64) -> Option<String> {
+    let columns = chosen(&summary.columns, LINES).into_iter().map(|place| &summary.columns[place]);
+    let worst = columns.max_by(|a, b| a.beyond_rows.total_cmp(&b.beyond_rows))?;
+    let step = (summary.reached - start) / summary.steps as f64;
+    (worst.beyond_rows > HIDDEN).then(|| {
+        format!(
+            "an extreme of {} lies between rows, {:.0} % of the range beyond them; to see it in the plot, set \
+             simulation.output_step = {step:.0e}",
+            worst.name,
+            100.0 * worst.beyond_rows
+        )
+    })
 }
 
 /// Says how exact the results of a single run are.
@@ -165,7 +185,7 @@ fn table(columns: &[Extremes], at: &str) -> Option<String> {
     let places = chosen(columns, LINES);
     let head = ["", "minimum", at, "maximum", at, "at the end"].map(str::to_owned);
     let rows = places.iter().map(|place| {
-        let Extremes { name, unit, minimum, maximum, last } = &columns[*place];
+        let Extremes { name, unit, minimum, maximum, last, .. } = &columns[*place];
         let [[lowest, at_lowest], [highest, at_highest]] = [minimum, maximum].map(peak);
         let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
         [format!("{name}{unit}"), lowest, at_lowest, highest, at_highest, number(*last)]
@@ -221,6 +241,7 @@ mod tests {
             minimum: Some(Peak { value: low, time: 0.25 }),
             maximum: Some(Peak { value: high, time: 1.0 }),
             last: None,
+            beyond_rows: 0.0,
         };
         let text = table(
             &[column("tip.x", -0.11004, 0.0), column("root.angle", 1e-7, 123.4), column("energy.total", 0.0, 0.0)],

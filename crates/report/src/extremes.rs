@@ -25,6 +25,9 @@ pub struct Extremes {
     pub maximum: Option<Peak>,
     /// The value at the end.
     pub last: Option<f64>,
+    /// How far they lie beyond those of the rows, as a share of the range.
+    #[serde(skip)]
+    pub beyond_rows: f64,
 }
 
 /// A component that stays below this share of the largest one of its quantity is zero but for round-off.
@@ -99,6 +102,7 @@ mod tests {
             minimum: peak(low, 0.0),
             maximum: peak(high, 1.0),
             last: Some(high),
+            beyond_rows: 0.0,
         }
     }
 

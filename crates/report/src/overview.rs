@@ -220,7 +220,7 @@ fn table<'a>(page: &mut String, at: &str, columns: impl Iterator<Item = &'a Extr
         "<div class=\"scroll\"><table>\n<thead><tr><th>output</th><td></td><th>minimum</th><th>{at}</th><th>maximum</th>\
          <th>{at}</th><th>at the end</th></tr></thead>\n<tbody>"
     )?;
-    for Extremes { name, unit, minimum, maximum, last } in columns {
+    for Extremes { name, unit, minimum, maximum, last, .. } in columns {
         let [low, high] = [minimum, maximum].map(|peak| {
             let time = peak.map_or_else(String::new, |Peak { time, .. }| trimmed(time, DIGITS));
             format!("<td>{}</td><td class=\"time\">{time}</td>", number(peak.map(|Peak { value, .. }| value)))
@@ -272,6 +272,7 @@ mod tests {
                 minimum: Some(Peak { value: -0.25, time: 0.5 }),
                 maximum: Some(Peak { value: 0.0, time: 0.0 }),
                 last: Some(-0.25),
+                beyond_rows: 0.0,
             }],
         }
     }

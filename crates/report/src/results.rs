@@ -1,12 +1,14 @@
 //! The table of results: every row becomes text, and the plots keep of the rows as much as they show.
 
 use crate::arrays::{Array, npz};
-use crate::extremes::{Extremes, Peak};
+use crate::column::Name;
+use crate::extremes::{Extremes, Peak, ZERO};
 use crate::numbers::shortest;
 use crate::trace::Trace;
 use ancf14::error::decimal;
 use ancf14::fmi::variable::{Causality, Variable};
 use ancf14::fmi::{Model, Value};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// One column of the results.
@@ -20,13 +22,31 @@ pub struct Column {
     pub unit: String,
     /// Its values over time.
     pub trace: Trace,
+    /// The lowest and the highest value at steps between the rows.
+    between: Option<[Peak; 2]>,
+}
+
+impl Column {
+    /// The lowest and the highest value, and how far they lie beyond those of the rows, as a share of the range. One of
+    /// the rows stays unless one between them lies clearly further out. `noise`: values closer together differ by round-off only.
+    fn extremes(&self, noise: f64) -> ([Option<Peak>; 2], f64) {
+        let Some(points) = self.trace.extremes() else { return ([None; 2], 0.0) };
+        let [low, high] = points.map(|(time, value)| Peak { value, time: decimal(time) });
+        let Some([lower, higher]) = self.between else { return ([Some(low), Some(high)], 0.0) };
+        let out = [low.value - lower.value, higher.value - high.value].map(|out| out.max(0.0));
+        let range = high.value - low.value + out[0] + out[1];
+        let margin = f64::max(CLEARLY * range, noise);
+        let further = |row: Peak, between: Peak, out: f64| Some(if out > margin { between } else { row });
+        let beyond = if range > margin { out[0].max(out[1]) / range } else { 0.0 };
+        ([further(low, lower, out[0]), further(high, higher, out[1])], beyond)
+    }
 }
 
 #[cfg(test)]
 impl Column {
     /// A column of no variable.
     pub fn of(name: &str, unit: &str, trace: Trace) -> Self {
-        Self { reference: 0, name: name.to_owned(), unit: unit.to_owned(), trace }
+        Self { reference: 0, name: name.to_owned(), unit: unit.to_owned(), trace, between: None }
     }
 }
 
@@ -65,6 +85,9 @@ const INTERVALS: usize = 6_000_000;
 /// Of one trace: as fine as a plot can show, and still a curve.
 const FINEST: usize = 8192;
 const COARSEST: usize = 256;
+/// A value between rows is an extreme if it lies beyond those of the rows by this share of the range: the same number
+/// is in results.csv otherwise.
+const CLEARLY: f64 = 1e-3;
 /// Snapshots are equally spaced, with so many intervals between them.
 const SNAPSHOTS: u64 = 6;
 
@@ -78,6 +101,7 @@ impl Results {
             name: variable.name.clone(),
             unit: variable.quantity.unit.clone(),
             trace: Trace::new(room),
+            between: None,
         };
         let columns = outputs().map(column).collect();
         Self { columns, count: 0, snapshots: Vec::new(), last: None, last_row, kept: None, zeros: Vec::new() }
@@ -142,6 +166,22 @@ impl Results {
         text
     }
 
+    /// Includes what the variables came to at steps since the last row: `between` tells the lowest and the highest value
+    /// of the variable with this value reference, each with its time, s.
+    pub fn include_between(&mut self, between: impl Fn(usize) -> Option<[[f64; 2]; 2]>) {
+        for column in &mut self.columns {
+            let Some(new) = between(column.reference) else { continue };
+            let [low, high] = new.map(|[value, time]| Peak { value, time: decimal(time) });
+            let between = column.between.get_or_insert([low, high]);
+            if low.value < between[0].value {
+                between[0] = low;
+            }
+            if high.value > between[1].value {
+                between[1] = high;
+            }
+        }
+    }
+
     /// Time of the last row, s.
     pub fn reached(&self) -> Option<f64> {
         self.last.as_ref().map(|(time, _)| *time)
@@ -155,16 +195,27 @@ impl Results {
 
     /// What each column came to.
     pub fn extremes(&self) -> Vec<Extremes> {
+        let noise = self.noise();
         let last = |place: usize| self.last.as_ref().map(|(_, values)| values[place]);
         let extremes = |(place, column): (usize, &Column)| {
-            let [minimum, maximum] = match column.trace.extremes() {
-                Some(points) => points.map(|(time, value)| Some(Peak { value, time: decimal(time) })),
-                None => [None; 2],
-            };
+            let ([minimum, maximum], beyond_rows) = column.extremes(noise[Name::of(&column.name).quantity]);
             let last = last(place).filter(|value| value.is_finite());
-            Extremes { name: column.name.clone(), unit: column.unit.clone(), minimum, maximum, last }
+            Extremes { name: column.name.clone(), unit: column.unit.clone(), minimum, maximum, last, beyond_rows }
         };
         self.columns.iter().enumerate().map(extremes).collect()
+    }
+
+    /// Of each quantity, the differences that are round-off: a small share of its largest value, or all.
+    fn noise(&self) -> BTreeMap<&str, f64> {
+        let mut noise: BTreeMap<&str, f64> = BTreeMap::new();
+        for column in &self.columns {
+            let own = noise.entry(Name::of(&column.name).quantity).or_default();
+            let points = column.trace.extremes().into_iter().flatten();
+            *own = points.fold(*own, |own, (_, value)| own.max(ZERO * value.abs()));
+        }
+        let zeros = self.zeros.iter().map(|zero| (&**zero, f64::INFINITY));
+        noise.extend(zeros);
+        noise
     }
 
     /// Rows at equally spaced instants, and the last one.

@@ -58,11 +58,11 @@ class Range:
     minimum: Array
     """The lowest values."""
     time_of_minimum: Array
-    """The times of the rows in which they appear first, s."""
+    """The times at which they appear first, s: those of rows, or of steps between them."""
     maximum: Array
     """The highest values."""
     time_of_maximum: Array
-    """The times of the rows in which they appear first, s."""
+    """The times at which they appear first, s: those of rows, or of steps between them."""
     mean: Array
     """The means over time, of the straight lines from row to row."""
 

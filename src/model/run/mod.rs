@@ -1,6 +1,7 @@
 //! Runs a model: [`simulation::Simulation`] is what a host, a program and the command line step through time.
 
 pub mod accuracy;
+pub mod between;
 pub mod correction;
 pub mod derived;
 pub mod effort;

@@ -1,8 +1,9 @@
 //! Ranges over time of quantities along beams, `summary = "range"` of an output: minimum, maximum and mean of each
 //! component at each station.
 //!
-//! The rows of results count. The mean is that of the straight lines from row to row, whatever their distances.
+//! The mean is that of the straight lines from row to row, whatever their distances. Extremes are those of all steps.
 
+use super::between::LowAndHigh;
 use crate::error::decimal;
 use crate::mechanics::system::System;
 use crate::model::file::document::Document;
@@ -80,6 +81,11 @@ impl Ranges {
         Self { list }
     }
 
+    /// Includes the extremes of all results at steps since the last row; empty: there are none.
+    pub fn include_between(&mut self, extremes: &[LowAndHigh]) {
+        self.list.iter_mut().for_each(|range| range.include_between(extremes));
+    }
+
     /// Includes a row of all `results` at `time`, s, later than all before.
     pub fn include(&mut self, time: f64, results: &[f64]) {
         self.list.iter_mut().filter(|range| time >= range.begin).for_each(|range| range.include(time, results));
@@ -104,6 +110,17 @@ impl Range {
             begin,
             rows: None,
         })
+    }
+
+    fn include_between(&mut self, extremes: &[LowAndHigh]) {
+        for (span, [low, high]) in self.spans.iter_mut().zip(extremes.iter().skip(self.first)) {
+            if low[0] < span.minimum[0] && low[1] >= self.begin {
+                span.minimum = *low;
+            }
+            if high[0] > span.maximum[0] && high[1] >= self.begin {
+                span.maximum = *high;
+            }
+        }
     }
 
     fn include(&mut self, time: f64, results: &[f64]) {

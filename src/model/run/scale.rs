@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A quantity that changes by less than this share of its size is a constant: it is compared with its size.
-pub const CONSTANT: f64 = 1e-6;
+const CONSTANT: f64 = 1e-6;
 /// A quantity below this share of what its unit amounts to in the system is zero: the round-off of large numbers that
 /// cancel.
 const ZERO: f64 = 1e-9;
@@ -84,7 +84,7 @@ impl Measures {
 
     /// The scale of a quantity with this unit that ranges as `span`, for itself; 0: it is zero.
     fn scale(&self, unit: &str, span: Span) -> f64 {
-        let scale = span.scale(self.natural(unit));
+        let scale = span.scale(self.natural(unit), if unit == "m" { self.size } else { f64::INFINITY });
         if scale > 0.0 { scale.max(self.beams.relieved.of(unit)) } else { 0.0 }
     }
 
@@ -157,9 +157,10 @@ impl Span {
         (self.range, self.size) = (self.range.max(range), self.size.max(size));
     }
 
-    /// The scale of a quantity whose unit amounts to `natural`; 0: it is zero.
-    fn scale(self, natural: f64) -> f64 {
-        let scale = if self.range > CONSTANT * self.size { self.range } else { self.size };
+    /// The scale of a quantity whose unit amounts to `natural`; 0: it is zero. A constant is compared with `most` at
+    /// most: a position of an equilibrium far from the origin is judged by the size of the mechanism.
+    fn scale(self, natural: f64, most: f64) -> f64 {
+        let scale = if self.range > CONSTANT * self.size { self.range } else { self.size.min(most) };
         if scale > ZERO * natural { scale } else { 0.0 }
     }
 }
@@ -182,5 +183,13 @@ mod tests {
         let scales = measures.scales(&[("grip.wrap_angle", "rad", span), ("hinge.angle", "rad", span)]);
         assert_eq!(scales, [3.0, 0.1]);
         assert_eq!(measures.scales(&[("grip.sliding", "", Span::default())]), [0.0]);
+    }
+
+    /// An equilibrium 100 km from the origin is judged as one there.
+    #[test]
+    fn constant_positions_are_judged_by_the_size_of_the_mechanism() {
+        let measures = Measures { size: 2.0, duration: 1.0, energy: 1.0, gravity: 9.81, beams: Beams::default() };
+        let at = |size: f64| measures.scales(&[("tip.position", "m", Span { range: 0.0, size })])[0];
+        assert_eq!([at(0.5), at(1e5)], [0.5, 2.0]);
     }
 }

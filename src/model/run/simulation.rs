@@ -15,6 +15,7 @@ pub mod linear;
 mod loading;
 mod look;
 mod mesh_error;
+mod plan;
 pub mod pole_check;
 pub mod reduced;
 mod repeat;
@@ -38,6 +39,7 @@ use self::runner::Runner;
 use self::start::NoStart;
 use self::stepping::UnderWay;
 use super::accuracy::{Accuracy, Columns, Inexact, Looker};
+use super::between::Between;
 use super::levels::{OtherMesh, Override};
 use super::ranges::Ranges;
 use super::scale::Measures;
@@ -68,6 +70,8 @@ pub struct Simulation {
     document: Arc<Document>,
     runner: Runner,
     results: Vec<f64>,
+    /// Looks at the results between rows; none: nobody asks for them.
+    between: Option<Box<Between>>,
     /// For results, where the solver has no spare memory for them.
     frames: FrameCache,
     warnings: Vec<String>,
@@ -146,6 +150,7 @@ impl Simulation {
             inputs: Inputs::new(&document),
             document,
             results: Vec::new(),
+            between: None,
             frames: FrameCache::default(),
             warnings: Vec::new(),
             watch: Watch::default(),
@@ -248,6 +253,7 @@ impl Simulation {
     fn begin_with(&mut self, runner: Runner) -> Result<(), Failure> {
         let before = std::mem::replace(&mut self.runner, runner);
         self.frames = FrameCache::default();
+        self.between.iter_mut().for_each(|between| **between = Between::default());
         self.forget_step();
         self.watch = Watch::new(&self.document);
         if self.is_compared && self.mesh_known.0.is_empty() {

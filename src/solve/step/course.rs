@@ -60,27 +60,38 @@ impl Course {
     }
 }
 
-/// An integrator that notes the ends of the steps that it takes.
-pub struct Noting<'a, I> {
+/// An integrator whose steps are looked at.
+pub struct Noting<'a, I, F> {
     /// Takes the steps.
     pub integrator: &'a mut I,
-    /// Where the ends go, s; none: nobody asks for them.
-    pub ends: Option<&'a mut Vec<f64>>,
+    /// Looks at the state at the end of each, and where a switch has changed something.
+    pub look: F,
 }
 
-impl<I: Integrator> Integrator for Noting<'_, I> {
+/// The reason to look at a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// A step has ended there.
+    StepEnd,
+    /// Something has engaged or been released.
+    Switch,
+}
+
+impl<I: Integrator, F: FnMut(Event, &System, &State)> Integrator for Noting<'_, I, F> {
     const RESOLVES_TIME: bool = I::RESOLVES_TIME;
 
     fn step(&mut self, system: &System, state: &mut State, step: f64, end: f64) -> Result<(), Error> {
         self.integrator.step(system, state, step, end)?;
-        if let Some(ends) = &mut self.ends {
-            ends.push(state.time);
-        }
+        (self.look)(Event::StepEnd, system, state);
         Ok(())
     }
 
     fn switch(&mut self, system: &System, state: &mut State, time: f64) -> Result<bool, Error> {
-        self.integrator.switch(system, state, time)
+        let changed = self.integrator.switch(system, state, time)?;
+        if changed {
+            (self.look)(Event::Switch, system, state);
+        }
+        Ok(changed)
     }
 
     fn tally(&mut self) -> Option<&mut Tally> {

@@ -162,6 +162,33 @@ fn constant_energies_of_equilibria_are_not_judged_by_their_round_off() {
     assert!(outcome.end == End::Reached && outcome.elements <= 32, "{outcome:?}");
 }
 
+/// An equilibrium is judged by itself, wherever the file puts the origin: the elastic energy is not lost in that of the
+/// height, nor the sag in the coordinates.
+#[test]
+fn equilibria_are_judged_alike_far_from_the_origin() {
+    let worst = |place: &str| {
+        let text = format!(
+            "format = 1\nmodel = {{ name = \"Strip\", gravity = [0, 0, -9.81] }}\n\
+             section.strip = {{ shape = \"rigidities\", EA = 1e7, EI_y = 1, EI_z = 1, GJ = 1, line_density = 1 }}\n\
+             beam.strip = {{ section = \"strip\", from = [0, 0, {place}], to = [1, 0, {place}], elements = 2 }}\n\
+             joint.clamp = {{ type = \"weld\", a = \"ground\", b = \"strip.start\" }}\n\
+             output.tip = {{ at = \"strip.end\", quantities = [\"position\"] }}\n\
+             simulation = {{ analysis = \"static\", stop = 1 }}\n"
+        );
+        let mut simulation = Simulation::load("strip.toml", &text, &[]).unwrap();
+        simulation.initialize(0.0).unwrap();
+        simulation.advance(1.0).unwrap();
+        simulation.conclude();
+        simulation.mesh_errors().to_vec()
+    };
+    let [near, far] = [worst("0"), worst("1e5")];
+    assert!(near.len() == 2 && near.iter().all(|error| error.error > 1e-3), "{near:?}");
+    for (near, far) in near.iter().zip(&far) {
+        // Coordinates of 1e5 m have round-off of 1e-11 m.
+        assert!(near.name == far.name && (far.error / near.error - 1.0).abs() < 0.6, "{near:?} {far:?}");
+    }
+}
+
 /// A blade that begins at full speed, unstretched, rings along its axis at 200 Hz, above what rows show: finer steps give
 /// the force at its root another phase, while the motion is right. The warning says that, not that the motion itself
 /// is sensitive, and the damping that it advises helps.

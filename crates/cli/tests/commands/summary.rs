@@ -51,6 +51,8 @@ fn long_runs_say_what_keeps_their_steps_short() {
 /// prints the file.
 #[test]
 fn the_summary_is_that_of_the_table() {
+    // A row for each step: no extreme lies between rows.
+    const SHORT: [&str; 4] = ["--set", "simulation.stop=0.5", "--set", "simulation.output_step=5e-3"];
     let directory = tempfile::tempdir().unwrap();
     let ran = run(directory.path(), &model("crane"), &[&SHORT[..], &["--json"]].concat());
     assert!(ran.status.success(), "{}", text(&ran.stderr));
@@ -128,6 +130,47 @@ fn the_terminal_shows_some_extremes() {
     }
     let quiet = run(directory.path(), &model("crane"), &[&SHORT[..], &["--quiet"]].concat());
     assert!(quiet.status.success() && quiet.stdout.is_empty());
+}
+
+/// A mass that begins to hang on a spring falls by 2 m g/k, half a period later. Rows that are a period apart show
+/// nothing of it: the summary, the table and ranges over time tell it, and a line says that the plots miss it.
+#[test]
+fn extremes_between_rows_are_told() {
+    let directory = tempfile::tempdir().unwrap();
+    // 1 kg on (2 pi)^2 N/m: the period is 1 s.
+    let file = "format = 1\n[model]\nname = \"Drop\"\ngravity = [0, 0, -9.81]\n\
+        [section.bar]\nshape = \"rigidities\"\nEA = 1e4\nEI_y = 1e4\nEI_z = 1e4\nGJ = 1e4\nline_density = 0.001\n\
+        [beam.bar]\nsection = \"bar\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 2\n\
+        [body.mass]\nmass = 0.999\nposition = [0.5, 0, 0]\ninertia = [1, 1, 1]\n\
+        [joint.hook]\ntype = \"weld\"\na = \"bar@0.5\"\nb = \"mass\"\n\
+        [joint.guide]\ntype = \"prismatic\"\na = \"ground\"\nb = \"bar@0.5\"\naxis = [0, 0, 1]\n\
+        [spring.coil]\njoint = \"guide\"\ncoordinate = \"distance\"\nstiffness = 39.47841760435743\n\
+        [output.middle]\nat = \"bar@0.5\"\nquantities = [\"position\", \"velocity\"]\n\
+        [output.all]\non = \"bar\"\nstations = 3\nquantities = [\"position\"]\nsummary = \"range\"\n\
+        [simulation]\nstop = 3\nstep = 0.01\noutput_step = 1\n";
+    std::fs::write(directory.path().join("m.toml"), file).unwrap();
+    let ran = run(directory.path(), "m.toml", &[]);
+    assert!(ran.status.success(), "{}", text(&ran.stderr));
+    let summary = summary(directory.path());
+    let columns = summary["columns"].as_array().unwrap();
+    let lowest = &columns.iter().find(|column| column["name"] == "middle.position[3]").unwrap()["minimum"];
+    let fall = 2.0 * 9.81 / (2.0 * std::f64::consts::PI).powi(2);
+    // The period is longer by (omega h)^2/24 of itself, 1.6e-4; the lowest point is nearer to a step than half of one,
+    // within (pi/100)^2/4 of the fall.
+    let close = |value: f64| (value + fall).abs() < 5e-4 * fall;
+    assert!(close(lowest["value"].as_f64().unwrap()), "{lowest} {fall}");
+    assert!((lowest["time"].as_f64().unwrap().fract() - 0.5).abs() < 0.02, "{lowest}");
+    let said = text(&ran.stdout);
+    assert!(said.contains("lies between rows") && said.contains("set simulation.output_step = 1e-2"), "{said}");
+    let ranges = std::fs::read_to_string(directory.path().join("out/ranges.csv")).unwrap();
+    let header: Vec<&str> = ranges.lines().next().unwrap().split(',').collect();
+    let minimum = header.iter().position(|column| *column == "minimum").unwrap();
+    let heights: Vec<&str> =
+        ranges.lines().filter(|line| line.contains("position[3]") || line.contains(",3,")).collect();
+    assert!(!heights.is_empty(), "{ranges}");
+    for line in heights {
+        assert!(close(line.split(',').nth(minimum).unwrap().parse().unwrap()), "{line}");
+    }
 }
 
 /// A run that ends early says so in its summary, with the reason, and up to when its extremes reach.

@@ -3,7 +3,7 @@
 //! They are asked for whenever the standard allows it, also where there is no last step: no result depends on an input
 //! then, and what does not follow from the motion changes as in an internal step on trial.
 
-use super::runner::Plan;
+use super::plan::Plan;
 use super::solver::Solver;
 use super::{Simulation, failure, wrong};
 use crate::error::Error;

@@ -51,7 +51,7 @@ impl Simulation {
     /// Advances to `end`, s, by steps of its own or along the guide.
     pub(super) fn go_to(&mut self, end: f64) -> Result<(), Failure> {
         let Some(guide) = &mut self.guide else {
-            return self.runner.advance(end).map_err(|error| failure(&error));
+            return self.runner.advance(end, &self.table, self.between.as_deref_mut()).map_err(|error| failure(&error));
         };
         guide.inputs.set_parts(self.inputs.parts());
         guide.advance(end)?;

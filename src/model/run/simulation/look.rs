@@ -1,7 +1,10 @@
-//! How far the results are off while a run goes on, and what follows from that: longer steps, corrected results.
+//! How far the results are off while a run goes on, and what follows from that: longer steps, corrected results; and
+//! what they come to between rows.
 
 use super::Simulation;
 use super::runner::Runner;
+use crate::model::run::between::{Between, LowAndHigh};
+use crate::model::variables::Source;
 
 impl Simulation {
     /// Lets the steps that follow be longer while the results are far more exact than asked for.
@@ -34,5 +37,24 @@ impl Simulation {
             let (known, memory) = ((&*self.columns, &*self.table), (&mut self.looker, spare));
             self.accuracy.correct(known, (system, state), responder.as_deref_mut(), &mut self.results, memory);
         }
+    }
+
+    /// Looks at the results of all steps from now on, those between the rows among them. Results that are corrected
+    /// are left out: the correction is that of rows.
+    pub fn look_at_all_steps(&mut self) {
+        if !self.document().simulation.correction {
+            self.between = Some(Box::default());
+        }
+    }
+
+    /// The extremes of all results at steps that ended between the last two rows; empty: none did, or nobody looks.
+    pub fn between_rows(&self) -> &[LowAndHigh] {
+        self.between.as_deref().map_or(&[], Between::extremes)
+    }
+
+    /// Those of the variable with this value reference; none: it is no result, or no step ended there.
+    pub fn extremes_between_rows(&self, reference: usize) -> Option<LowAndHigh> {
+        let Source::Result(number) = self.table.sources[reference] else { return None };
+        self.between_rows().get(number).copied()
     }
 }

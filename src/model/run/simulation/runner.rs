@@ -1,17 +1,19 @@
 //! The system of a model that runs: built, brought to its initial state, advanced on the grid of internal steps.
 
+use super::plan::Plan;
 use super::solver::Solver;
 use crate::error::Error;
-use crate::math::resolution::Sight;
 use crate::mechanics::input::switch::Hold;
 use crate::mechanics::state::State;
-use crate::mechanics::system::{AT_BREAK, System};
+use crate::mechanics::system::System;
 use crate::model::builder::{self, Built};
 use crate::model::file::document::Document;
 use crate::model::file::entries::simulation::{Analysis, Initial};
+use crate::model::run::between::Between;
+use crate::model::variables::Table;
 use crate::solve::dynamics::{start, turning};
-use crate::solve::step::course::{Course, Noting};
-use crate::solve::step::integrator::{Integrator, grid_step};
+use crate::solve::step::course::{Course, Event, Noting};
+use crate::solve::step::integrator::Integrator;
 use crate::solve::step::limits;
 use crate::solve::step::pacing::Pacing;
 use crate::solve::step::response::{Responder, Response};
@@ -28,6 +30,9 @@ const TIME_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Round-off that a communication step may have before it takes one internal step more, in steps. A step that is
 /// shorter is left to the next one: it would be all round-off, and velocities are differences of positions.
 const STEP_ROUNDING: f64 = 1e-6;
+
+/// Finds the response of a state.
+type Respond = fn(&mut Responder, &System, &State, &mut Response) -> Result<(), Error>;
 
 /// The system as built, the state it has reached, and the means to go on.
 #[derive(Debug)]
@@ -315,21 +320,52 @@ impl Runner {
         }
     }
 
-    /// Advances to `end`, s.
-    pub(super) fn advance(&mut self, end: f64) -> Result<(), Error> {
+    /// Advances to `end`, s; `between` looks at the results of `table` on the way.
+    pub(super) fn advance(&mut self, end: f64, table: &Table, mut between: Option<&mut Between>) -> Result<(), Error> {
         let plan = self.depart(end)?;
-        let (system, state) = (&self.system, &mut self.state);
-        match &mut self.solver {
+        let Self { system, state, solver, responder, course, ends, .. } = self;
+        between.iter_mut().for_each(|between| between.clear());
+        let is_static = matches!(solver, Solver::Statics(_));
+        let mut look = |event: Event, system: &System, state: &State, respond: Respond| {
+            if event == Event::Switch {
+                between.iter_mut().for_each(|between| between.begin_step(state));
+                return;
+            }
+            if let Some(ends) = ends {
+                ends.push(state.time);
+            }
+            if let Some(between) = &mut between
+                && (between.is_due(state) || is_static)
+                && state.time < plan.end
+            {
+                between.include(table, (system, state), |response| match responder {
+                    Some(responder) => respond(responder, system, state, response),
+                    None => {
+                        response.set_at_rest(state);
+                        Ok(())
+                    }
+                });
+            }
+        };
+        match solver {
             Solver::None => Err(Error::NotInitialized),
             Solver::Midpoint(midpoint) => {
-                let mut integrator = Noting { integrator: midpoint.as_mut(), ends: self.ends.as_mut() };
-                match &self.course {
+                let look =
+                    |event: Event, system: &System, state: &State| look(event, system, state, Responder::respond);
+                let mut integrator = Noting { integrator: midpoint.as_mut(), look };
+                match course {
                     Some(course) => course.advance(&mut integrator, system, state, plan.end),
                     None => plan.march(&mut integrator, system, state),
                 }
             }
-            Solver::GeneralizedAlpha(alpha) => plan.march(alpha.as_mut(), system, state),
-            Solver::Statics(statics) => plan.march(statics.as_mut(), system, state),
+            Solver::GeneralizedAlpha(alpha) => {
+                let look = |event: Event, system: &System, state: &State| look(event, system, state, keep);
+                plan.march(&mut Noting { integrator: alpha.as_mut(), look }, system, state)
+            }
+            Solver::Statics(statics) => {
+                let look = |event: Event, system: &System, state: &State| look(event, system, state, rest);
+                plan.march(&mut Noting { integrator: statics.as_mut(), look }, system, state)
+            }
         }
     }
 
@@ -366,101 +402,21 @@ impl Runner {
     }
 }
 
+/// The response that an integrator keeps in its state.
+fn keep(_: &mut Responder, _: &System, state: &State, response: &mut Response) -> Result<(), Error> {
+    response.set_from(state);
+    Ok(())
+}
+
+/// The response of an equilibrium.
+fn rest(_: &mut Responder, _: &System, state: &State, response: &mut Response) -> Result<(), Error> {
+    response.set_at_rest(state);
+    Ok(())
+}
+
 /// A share in percent, with three decimals.
 fn percent(share: f64) -> String {
     if share < 1e-5 { String::from("less than 0.001 %") } else { format!("{:.3} %", 100.0 * share) }
-}
-
-/// The internal steps of a communication step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Plan {
-    /// Where their counting begins, s, and the number of the first one.
-    begin: f64,
-    first: f64,
-    /// Where the first one begins, s.
-    from: f64,
-    /// Where the last one ends, s.
-    pub(super) end: f64,
-    /// Length of each, s.
-    step: f64,
-    count: u64,
-    /// None: the steps are these.
-    pacing: Option<Pacing>,
-    /// The steps end where they reach this time, s; infinite: at the end.
-    stop: f64,
-}
-
-impl Plan {
-    /// Takes them all.
-    pub(super) fn march(
-        &self,
-        integrator: &mut impl Integrator,
-        system: &System,
-        state: &mut State,
-    ) -> Result<(), Error> {
-        let mut number = 0;
-        while !self.part(number, integrator, system, state)? && state.time < self.stop {
-            number += 1;
-        }
-        Ok(())
-    }
-
-    /// Takes step `number`, from 0, where the ones before it have led to `state`; returns whether it was the last one.
-    fn part(
-        &self,
-        number: u64,
-        integrator: &mut impl Integrator,
-        system: &System,
-        state: &mut State,
-    ) -> Result<bool, Error> {
-        if let Some(pacing) = self.pacing {
-            return pacing.advance(integrator, system, state, [self.from, self.end]);
-        }
-        let number = number + 1;
-        if number > self.count {
-            return Ok(true);
-        }
-        let is_last = number == self.count;
-        let next = if is_last { self.end } else { self.begin + (self.first + number as f64) * self.step };
-        let margin = AT_BREAK * self.step;
-        let whole = march_to_last_break(integrator, system, state, next, margin)?;
-        let step = if whole { self.step } else { next - state.time };
-        integrator.switch(system, state, state.time + margin)?;
-        grid_step(integrator, system, state, step, next)?;
-        // Results show what holds from this instant on.
-        integrator.switch(system, state, state.time + margin)?;
-        Ok(is_last)
-    }
-}
-
-/// Takes `state` to the last break before `next`, s, from one to the next, and in parts over pulses in between; breaks
-/// within `margin` s of an end count as that end. Returns whether there is none.
-fn march_to_last_break<I: Integrator>(
-    integrator: &mut I,
-    system: &System,
-    state: &mut State,
-    next: f64,
-    margin: f64,
-) -> Result<bool, Error> {
-    let mut whole = true;
-    while I::RESOLVES_TIME
-        && let Some(time) = step_end(system, state.time, next, margin)
-    {
-        let step = time - state.time;
-        integrator.switch(system, state, state.time + margin)?;
-        grid_step(integrator, system, state, step, time)?;
-        whole = false;
-    }
-    Ok(whole)
-}
-
-/// The first time after `from` and before `next`, s, at which a step has to end.
-fn step_end(system: &System, from: f64, next: f64, margin: f64) -> Option<f64> {
-    let end = system.break_between(from, next, margin).unwrap_or(next);
-    let end = system.switch_between(from, end, margin).unwrap_or(end);
-    let sight = if end < next { Sight::Changes } else { Sight::Pulses };
-    let end = system.seen_until(from, end, sight);
-    (end < next).then_some(end)
 }
 
 /// An integrator that keeps the state before the step it took last.

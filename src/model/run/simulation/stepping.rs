@@ -5,7 +5,7 @@
 //! step began.
 
 use super::derivatives::Derived;
-use super::runner::Plan;
+use super::plan::Plan;
 use super::solver::Solver;
 use super::{Simulation, failure, wrong};
 use crate::fmi::{Failure, Model};
