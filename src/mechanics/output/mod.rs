@@ -14,4 +14,5 @@ mod proportions;
 pub mod section_loads;
 pub mod section_stress;
 mod shear;
+pub mod straight_thrust;
 mod strain_fit;

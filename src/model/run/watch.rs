@@ -7,6 +7,7 @@ mod limp;
 mod mesh;
 mod ropes;
 mod stops;
+mod struts;
 mod switches;
 
 use self::alternation::AlternationWatch;
@@ -16,6 +17,7 @@ use self::limp::LimpWatch;
 use self::mesh::MeshWatch;
 use self::ropes::RopeWatch;
 use self::stops::StopWatch;
+use self::struts::StrutWatch;
 use crate::error::decimal;
 use crate::mechanics::output::mesh_error::Deformation;
 use crate::mechanics::state::State;
@@ -40,6 +42,7 @@ pub struct Watch {
     limp: LimpWatch,
     alternation: AlternationWatch,
     stops: StopWatch,
+    struts: StrutWatch,
     contacts: ContactWatch,
     ropes: RopeWatch,
 }
@@ -53,7 +56,8 @@ impl Watch {
         };
         let analysis = document.simulation.analysis;
         let (mesh, alternation) = (MeshWatch::new(analysis), AlternationWatch::new(analysis));
-        Self { damps, mesh, ends: EndWatch::new(analysis), alternation, ..Self::default() }
+        let (ends, struts) = (EndWatch::new(analysis), StrutWatch::new(analysis));
+        Self { damps, mesh, ends, alternation, struts, ..Self::default() }
     }
 
     /// Looks at a new state and returns what the user should know of it; `table` has what is read off it, and `results`
@@ -73,9 +77,10 @@ impl Watch {
         let stops = self.stops.look(system, state);
         let contacts = self.contacts.look(system, state, frames);
         let ropes = self.ropes.look(system, state, frames);
+        let struts = self.struts.look(system, state, frames);
         self.limp.look(system, state, frames);
         let all = twist.into_iter().chain(mesh).chain(ends).chain(alternation).chain(stops).chain(contacts);
-        all.chain(ropes).chain(self.energy(state.balance.alarm())).collect()
+        all.chain(ropes).chain(struts).chain(self.energy(state.balance.alarm())).collect()
     }
 
     /// What the user should know at the end, `state`, of a run over `span`, s; `table` has what is read off the system.

@@ -333,3 +333,32 @@ fn limp_lines_that_push_are_told() {
     let found = ended(&swinging, 2.0);
     assert!(!found.iter().any(|own| own.contains("pushed with")), "{found:?}");
 }
+
+/// A load on a straight wire bounces: in the rebound the wire is pushed with 19 kN, and stands up. A wire with the
+/// least load from the side buckles by itself, and a blow of 0.1 ms is over before anything buckles.
+#[test]
+fn straight_wires_that_are_pushed_are_told() {
+    let hung = |kick: &str, side: f64| {
+        let text = format!(
+            "{HEAD}gravity = [0, 0, -9.81]\n[section.wire]\nshape = \"rigidities\"\nEA = 2.4e7\nEI_y = 214\nEI_z = 214\n\
+             GJ = 160\nline_density = 0.89\n[beam.wire]\nsection = \"wire\"\nfrom = [0, 0, 0]\nto = [0, 0, -10]\n\
+             elements = 8\n[body.load]\nmass = 500\nposition = [0, 0, -10]\ninertia = [50, 50, 50]\n\
+             [joint.drum]\ntype = \"universal\"\na = \"ground\"\nb = \"wire.start\"\naxis = [1, 0, 0]\naxis2 = [0, 1, 0]\n\
+             [joint.hook]\ntype = \"weld\"\na = \"wire.end\"\nb = \"load\"\n\
+             [load.kick]\nat = \"load\"\nforce = [0, 0, \"{kick}\"]\n\
+             [load.side]\nat = \"load\"\nforce = [{side}, 0, 0]\n\
+             [simulation]\ninitial = \"equilibrium\"\nstop = 0.2\nstep = 1e-3\n"
+        );
+        let times: Vec<f64> = (1..=200).map(|row| f64::from(row) * 1e-3).collect();
+        let found = warnings(&text, &times);
+        found.into_iter().filter(|own| own.contains("stays straight")).collect::<Vec<_>>()
+    };
+    let bounce = "if(t > 0.1 and t < 0.13, 15000, 0)";
+    let told = hung(bounce, 0.0);
+    assert!(
+        matches!(&told[..], [one] if one.starts_with("beam wire stays straight under a compression of 1.")),
+        "{told:?}"
+    );
+    assert_eq!(hung(bounce, 0.1), Vec::<String>::new());
+    assert_eq!(hung("if(t > 0.1 and t < 0.1001, 15000, 0)", 0.0), Vec::<String>::new());
+}
