@@ -115,7 +115,7 @@ impl Measures {
 
 /// Whether a column tells how much of a beam touches a surface: 0 where none does, so that it counts from there.
 fn is_of_contact(name: &str) -> bool {
-    const QUANTITIES: [&str; 4] = [".contact_length", ".penetration", ".sliding", ".wrap_angle"];
+    const QUANTITIES: [&str; 5] = [".contact_length", ".laid_length", ".penetration", ".sliding", ".wrap_angle"];
     QUANTITIES.iter().any(|quantity| name.ends_with(quantity))
 }
 
@@ -182,6 +182,7 @@ mod tests {
         let span = Span { range: 0.1, size: 3.0 };
         let scales = measures.scales(&[("grip.wrap_angle", "rad", span), ("hinge.angle", "rad", span)]);
         assert_eq!(scales, [3.0, 0.1]);
+        assert_eq!(measures.scales(&[("line.laid_length", "m", span)]), [3.0]);
         assert_eq!(measures.scales(&[("grip.sliding", "", Span::default())]), [0.0]);
     }
 
