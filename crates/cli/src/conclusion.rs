@@ -129,8 +129,12 @@ pub fn tell(summary: &Summary, simulation: &Simulation, outcome: Option<&Outcome
     if let Some(outcome) = outcome {
         say(&outcome.line())?;
     }
-    if !outcome.is_some_and(|outcome| outcome.runs > 1 || outcome.is_path) {
-        tell_estimates(simulation)?;
+    let is_compared = outcome.is_some_and(|outcome| outcome.runs > 1 || outcome.is_path);
+    if !is_compared || outcome.is_some_and(|outcome| outcome.keeps_steps) {
+        tell_error_of_steps(simulation)?;
+    }
+    if !is_compared {
+        tell_error_of_mesh(simulation)?;
     }
     table(&summary.columns, document.row_heading()).map_or(Ok(()), |table| say(&table))?;
     hidden(summary, simulation.about().start).map_or(Ok(()), |hint| say(&hint))
@@ -152,11 +156,15 @@ fn hidden(summary: &Summary, start: f64) -> Option<String> {
     })
 }
 
-/// Says how exact the results of a single run are.
-fn tell_estimates(simulation: &Simulation) -> Result<(), Stop> {
-    if let Some(worst) = simulation.least_accurate() {
-        say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))?;
-    }
+/// Says how exact the results of a run are as its steps go.
+fn tell_error_of_steps(simulation: &Simulation) -> Result<(), Stop> {
+    simulation.least_accurate().map_or(Ok(()), |worst| {
+        say(&format!("time-step error: {} of the range of {}, the least accurate result", worst.size(), worst.name))
+    })
+}
+
+/// Says how exact the results of a single run are as its mesh goes.
+fn tell_error_of_mesh(simulation: &Simulation) -> Result<(), Stop> {
     if let Some(worst) = simulation.largest_mesh_error() {
         say(&format!("mesh error: {} of the range of {}, the least accurate result", worst.size(), worst.name))?;
     } else if simulation.seeks_mesh_error() {

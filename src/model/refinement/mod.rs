@@ -11,10 +11,12 @@
 mod found;
 pub mod modes;
 mod nearest;
+mod order;
 mod words;
 
 pub use self::found::Found;
 use self::nearest::Nearest;
+use self::order::Coarse;
 use super::run::accuracy::{Differences, Inexact};
 use super::run::levels;
 use super::run::rows;
@@ -81,6 +83,8 @@ pub struct Outcome {
     pub elements: usize,
     /// Whether the program chooses the elements of a beam.
     pub chooses_mesh: bool,
+    /// Whether the file gives the steps of a motion: their error stays, and the runs leave it out.
+    pub keeps_steps: bool,
     /// Whether it is a motion, not a row of equilibria.
     pub is_motion: bool,
     /// Whether each run is compared with a finer mesh row by row, the only one too.
@@ -111,6 +115,8 @@ pub struct Refinement {
     differences: Differences,
     /// The comparison of paths by arc length, instead of one with the rows of the run before.
     nearest: Option<Nearest>,
+    /// The first run beside one with fewer elements.
+    coarse: Coarse,
     /// Differences of the last two pairs of runs, not divided.
     distances: Vec<Inexact>,
     /// The factors by which the steps and the meshes of the run that goes on are finer than those before.
@@ -166,6 +172,7 @@ impl Refinement {
             rows: [Vec::new(), Vec::new()],
             differences: Differences::default(),
             nearest: is_path.then(Nearest::default),
+            coarse: Coarse::default(),
             distances: Vec::new(),
             ratios: [1.0; 2],
             divided: 1.0,
@@ -238,6 +245,7 @@ impl Refinement {
             runs: self.runs,
             elements: elements.sum(),
             chooses_mesh: self.chosen.contains(&true),
+            keeps_steps: self.keeps_steps(),
             is_motion: self.is_motion,
             is_path: self.nearest.is_some(),
             worst: self.worst.clone(),
@@ -246,9 +254,18 @@ impl Refinement {
         }
     }
 
+    /// Whether the steps of a motion are given.
+    fn keeps_steps(&self) -> bool {
+        self.is_motion && !self.chooses_steps
+    }
+
     /// The estimates of the first run, over those that a reader expects.
     fn judge_first(&mut self, simulation: &Simulation) -> f64 {
-        let [steps, mesh] = simulation.judged_errors();
+        let [mut steps, mesh] = simulation.judged_errors();
+        if self.keeps_steps() {
+            steps.clear();
+        }
+        self.coarse = Coarse::of(simulation.mesh_distances().cloned());
         let largest = |errors: &[Inexact], excess: fn(&Inexact) -> f64| errors.iter().map(excess).fold(0.0, f64::max);
         self.parts = [largest(&steps, Inexact::excess_of_steps), largest(&mesh, Inexact::excess)];
         self.estimates = [steps.clone(), mesh.clone()];
@@ -316,13 +333,21 @@ impl Refinement {
         let divisor = |name: &str, is_configuration: bool| {
             let order = if is_configuration || has_fallen(name) { ORDER } else { ORDER_OF_RATES };
             let of_mesh = if is_configuration { ORDER_OF_MESH } else { ORDER_OF_MESH_OF_RATES };
-            let gains = [steps.powf(order), mesh.powf(of_mesh).min(observed(name))];
+            let gain = |of_mesh: f64| [steps.powf(order), mesh.powf(of_mesh).min(observed(name))];
+            let by_mesh = self.plain_shares(name, gain(of_mesh))[1];
+            let apart = distances.iter().find(|own| own.name == name).map_or(0.0, |own| own.error * by_mesh);
+            let gains = gain(self.coarse.order(name, apart, mesh).min(of_mesh));
             let [of_steps, of_mesh] = self.shares(name, gains);
             // The error over each part of the difference.
             let left = |share: f64, gain: f64| if share > 0.0 { share / (gain - 1.0) } else { 0.0 };
             1.0 / (left(of_steps, gains[0]) + left(of_mesh, gains[1]))
         };
         let errors = simulation.distances(&self.differences, divisor);
+        let by_mesh = |own: &Inexact| {
+            let share = self.plain_shares(&own.name, [steps.powf(FIRST_ORDER), mesh.powf(ORDER_OF_MESH_OF_RATES)])[1];
+            Inexact { error: own.error * share, ..own.clone() }
+        };
+        let coarse = Coarse::of(Some((mesh, distances.iter().map(by_mesh).collect())));
         let excess = |all: &[Inexact]| all.iter().map(Inexact::excess).fold(0.0, f64::max);
         let (own, apart, apart_before) = (excess(&errors), excess(&distances), excess(&before));
         if self.runs > 2 && apart > FALLEN * apart_before && apart > SENSITIVE {
@@ -340,12 +365,23 @@ impl Refinement {
         }
         self.worst = errors.into_iter().max_by(|a, b| a.error.total_cmp(&b.error));
         self.distances = distances;
+        self.coarse = coarse;
         own
     }
 
     /// The shares that steps and mesh have in the difference of a family, where the errors of the run before are
     /// `gains` times those of this one: as the estimates of the first run stand to each other, but a tenth at least.
     fn shares(&self, name: &str, gains: [f64; 2]) -> [f64; 2] {
+        let [of_steps, of_mesh] = self.plain_shares(name, gains);
+        if of_steps == 0.0 || of_mesh == 0.0 {
+            return [of_steps, of_mesh];
+        }
+        let of_steps = of_steps.clamp(0.1, 0.9);
+        [of_steps, 1.0 - of_steps]
+    }
+
+    /// The same, however small; 0 of one that stayed as it was.
+    fn plain_shares(&self, name: &str, gains: [f64; 2]) -> [f64; 2] {
         if gains[0] == 1.0 || gains[1] == 1.0 {
             return gains.map(|gain| if gain > 1.0 { 1.0 } else { 0.0 });
         }
@@ -354,9 +390,11 @@ impl Refinement {
             Some(own.error.min(1.0) * (1.0 - 1.0 / gains[number]))
         };
         let of_steps = match (part(0), part(1)) {
-            (Some(steps), Some(mesh)) if steps + mesh > 0.0 => (steps / (steps + mesh)).clamp(0.1, 0.9),
+            (Some(steps), Some(mesh)) if steps + mesh > 0.0 => steps / (steps + mesh),
             _ => 0.5,
         };
+        // Estimates of 0 are round-off, not steps that stayed.
+        let of_steps = of_steps.clamp(f64::MIN_POSITIVE, 1.0 - f64::EPSILON);
         [of_steps, 1.0 - of_steps]
     }
 

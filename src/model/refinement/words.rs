@@ -10,12 +10,12 @@ const WARNED: f64 = 2.0;
 impl Outcome {
     /// The line about the runs: `3 runs, 24 elements, accuracy reached: 0.060 %`.
     pub fn line(&self) -> String {
-        let Self { runs, elements, chooses_mesh, worst, .. } = self;
+        let Self { runs, elements, chooses_mesh, keeps_steps, worst, .. } = self;
         let plural = if *runs == 1 { "" } else { "s" };
-        let (mesh, what) = if *chooses_mesh {
-            (format!(", {elements} elements"), "accuracy")
-        } else {
-            (String::new(), "accuracy of the steps")
+        let (mesh, what) = match (chooses_mesh, keeps_steps) {
+            (true, false) => (format!(", {elements} elements"), "accuracy"),
+            (true, true) => (format!(", {elements} elements"), "accuracy of the mesh"),
+            (false, _) => (String::new(), "accuracy of the steps"),
         };
         let reached = worst.as_ref().map_or_else(
             || String::from("nothing to judge"),
@@ -98,8 +98,18 @@ mod tests {
         let line = |error: f64| {
             let worst = Some(Inexact { name: String::from("tip.position"), error, is_rough: false });
             let (end, budget) = (End::Reached, 20.0);
-            Outcome { runs: 1, elements: 8, chooses_mesh: true, is_motion: true, is_path: false, worst, end, budget }
-                .line()
+            Outcome {
+                runs: 1,
+                elements: 8,
+                chooses_mesh: true,
+                keeps_steps: false,
+                is_motion: true,
+                is_path: false,
+                worst,
+                end,
+                budget,
+            }
+            .line()
         };
         assert!(line(1e-13).ends_with("accuracy reached: less than 0.00010 %"), "{}", line(1e-13));
         assert!(line(2.5e-3).ends_with("accuracy reached: 0.25 %"));
@@ -111,7 +121,8 @@ mod tests {
         let line = |error: f64, end: End| {
             let worst = Some(Inexact { name: String::from("tip.position"), error, is_rough: false });
             let (chooses_mesh, is_motion, is_path, budget) = (true, true, false, 20.0);
-            Outcome { runs: 3, elements: 96, chooses_mesh, is_motion, is_path, worst, end, budget }.line()
+            Outcome { runs: 3, elements: 96, chooses_mesh, keeps_steps: false, is_motion, is_path, worst, end, budget }
+                .line()
         };
         assert_eq!(line(0.05, End::Budget), "3 runs, 96 elements, accuracy not reached: 5.0 %");
         assert_eq!(line(0.008, End::Budget), "3 runs, 96 elements, accuracy reached: 0.80 %");
@@ -124,8 +135,17 @@ mod tests {
         let warns = |error: f64, runs: u32, is_path: bool| {
             let worst = Some(Inexact { name: String::from("tip.position"), error, is_rough: false });
             let (chooses_mesh, is_motion) = (true, !is_path);
-            let outcome =
-                Outcome { runs, elements: 8, chooses_mesh, is_motion, is_path, worst, end: End::Budget, budget: 20.0 };
+            let outcome = Outcome {
+                runs,
+                elements: 8,
+                chooses_mesh,
+                keeps_steps: false,
+                is_motion,
+                is_path,
+                worst,
+                end: End::Budget,
+                budget: 20.0,
+            };
             outcome.warning().is_some()
         };
         assert_eq!([warns(0.009, 2, false), warns(0.011, 2, false)], [false, true]);

@@ -91,6 +91,8 @@ pub struct Simulation {
     first_state: Option<Arc<FirstState>>,
     /// How far results are off because of the mesh, a family each, as found at the end; empty: not known.
     mesh_errors: Vec<Inexact>,
+    /// See [`Self::mesh_distances`].
+    mesh_distances: Option<(f64, Vec<Inexact>)>,
     /// The families of results whose errors are warned of; none: all.
     judged: Option<Vec<String>>,
     /// It is compared with another run, which tells its errors better than the estimates of one run.
@@ -140,6 +142,7 @@ impl Simulation {
             companion: None,
             first_state: None,
             mesh_errors: Vec::new(),
+            mesh_distances: None,
             judged: None,
             is_compared: false,
             mesh_known: (Vec::new(), None),

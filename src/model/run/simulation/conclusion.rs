@@ -86,6 +86,9 @@ impl Simulation {
             let (errors, warning) = &self.mesh_known;
             self.mesh_errors.clone_from(errors);
             self.warnings.extend(warning.clone());
+            // Nobody makes steps finer that are given.
+            let of_steps = of_steps.filter(|_| self.runner.pacing.is_none());
+            self.warnings.extend(of_steps);
         } else {
             self.mesh_known = (self.mesh_errors.clone(), of_mesh.clone());
             let of_both = if of_steps.is_none() && of_mesh.is_none() { self.warning_of_both(setting) } else { None };

@@ -126,6 +126,12 @@ impl Simulation {
         }
     }
 
+    /// How far the motion is from that of a run beside it, a family of judged results each, as shares of what it is
+    /// compared with, and how many times as long the elements are there; none: there was no such run.
+    pub fn mesh_distances(&self) -> Option<&(f64, Vec<Inexact>)> {
+        self.mesh_distances.as_ref()
+    }
+
     /// Finds how far the motion is off.
     fn compare_with_companion(&mut self, companion: Box<dyn Beside>, ratio: f64, run: &str) {
         let differences = match companion.finish() {
@@ -147,6 +153,7 @@ impl Simulation {
         let limit = if self.watch.is_torsion() { ORDER_OF_TWIST } else { ORDER };
         let measures = self.measures();
         self.mesh_errors = self.accuracy.errors_beside(&self.columns, &measures, &differences, (ratio, limit));
+        self.mesh_distances = Some((ratio, self.distances(&differences, |_, _| 1.0)));
     }
 
     /// Finds how far the equilibrium of the most strain energy, and the last one, are off.
