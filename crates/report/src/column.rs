@@ -1,6 +1,7 @@
 //! What the name of a column says: its quantity, the station along a beam, the component, and what a chart calls that.
 
 use ancf14::model::quantity::{QUANTITIES, Quantity};
+use ancf14::model::variables::is_of_account;
 
 /// A name, `tip.velocity[2]` or `blade.stress[3]` or `blade.velocity[3,2]`, in its parts. Empty: it has none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,13 +28,8 @@ impl<'a> Name<'a> {
 
     /// Whether it is an energy, a work, a momentum or a count of the whole mechanism, which no output asks for.
     pub fn is_total(self) -> bool {
-        matches!(
-            self.quantity.split_once('.'),
-            Some(
-                ("energy" | "momentum" | "statistics", _)
-                    | ("work", "loads" | "actuators" | "drives" | "dissipated" | "drift")
-            )
-        )
+        let kind = self.quantity.split_once('.').map(|(kind, _)| kind);
+        matches!(kind, Some("energy" | "momentum" | "statistics")) || is_of_account(self.quantity)
     }
 
     /// What a chart calls its component: x, y or z where it is one of a vector.

@@ -123,6 +123,7 @@ mod tests {
             column("foot.position[1]", 0.0, 0.0),
             column("foot.position[2]", 0.0, 0.0),
             column("energy.total", 0.0, 100.0),
+            column("work.water", 0.0, 100.0),
             column("statistics.steps", 0.0, 1000.0),
         ];
         assert_eq!(chosen(&columns, 4), [2, 4, 6, 7]);

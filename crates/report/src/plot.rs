@@ -7,6 +7,7 @@ use crate::draw::Projection;
 use crate::results::{Column, Results};
 use ancf14::model::document::Document;
 use ancf14::model::entries::output::Target;
+use ancf14::model::variables::is_of_account;
 use std::error::Error;
 
 /// The lines of one plot.
@@ -50,9 +51,7 @@ impl Plot {
                 Some(("momentum" | "statistics", _)) => continue,
                 Some(("energy", _)) => (rows, "energy".to_owned()),
                 Some(("path", _)) => (rows, quantity.to_owned()),
-                Some(("work", "loads" | "actuators" | "drives" | "dissipated" | "drift")) => {
-                    (Kind::Time, "work".to_owned())
-                }
+                Some(("work", _)) if is_of_account(quantity) => (Kind::Time, "work".to_owned()),
                 Some((output, "position")) if is_beam(output) => (Kind::Shape, quantity.to_owned()),
                 Some((output, _)) if is_beam(output) => {
                     let part = if component.is_empty() { String::new() } else { format!(".{component}") };

@@ -4,6 +4,7 @@ use super::block::{Effort, doubles};
 use ancf14::error::decimal;
 use ancf14::fmi::Model;
 use ancf14::fmi::variable::{Causality, Variable};
+use ancf14::model::variables::is_of_account;
 use ancf14::model::view::Recording;
 use serde::Serialize;
 
@@ -109,7 +110,7 @@ fn group(name: &str) -> String {
     let (quantity, index) = name.split_once('[').unwrap_or((name, ""));
     match (quantity.split_once('.'), index.trim_end_matches(']').split_once(',')) {
         (Some((kind @ ("energy" | "statistics"), _)), _) => kind.to_owned(),
-        (Some((kind @ "work", "loads" | "actuators" | "drives" | "dissipated" | "drift")), _) => kind.to_owned(),
+        (Some((kind @ "work", _)), _) if is_of_account(quantity) => kind.to_owned(),
         (_, Some((_, component))) => format!("{quantity}.{component}"),
         _ => quantity.to_owned(),
     }

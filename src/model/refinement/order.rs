@@ -27,7 +27,7 @@ impl Coarse {
     /// The order of a family whose results on a mesh `finer` times as fine are `apart` from those of that run
     /// because of the mesh; infinite: not known.
     ///
-    /// With the order `p` the distances stand as `(ratio^p - 1)/(1 - finer^-p)`, which grows with `p`.
+    /// The distances stand as `(ratio^p - 1)/(1 - finer^-p)` with the order `p`, which grows with it.
     pub fn order(&self, name: &str, apart: f64, finer: f64) -> f64 {
         let known = self.distances.iter().find(|own| own.name == name && own.error.is_finite());
         let Some(before) = known.filter(|_| apart > 0.0 && finer > 1.0) else { return f64::INFINITY };

@@ -1,9 +1,11 @@
 //! The elements of beams whose file leaves their number to the program: so many that most models are right with them,
 //! nodes where joints need them, and where forces act at points if that takes few elements: the shape has a kink in its
-//! curvature there, which no element has inside. A run makes them finer where they are too few.
+//! curvature there, which no element has inside. They are short enough to lie on round surfaces that the beam may
+//! touch. A run makes them finer where they are too few.
 
 use super::super::file::document::Document;
 use super::super::file::entries::beam::{BeamSpec, FEWEST_ELEMENTS};
+use super::super::file::entries::contact::ContactSpec;
 use super::super::file::entries::joint::JointSpec;
 use super::super::file::reader::anchor::{Along, Anchor, Spot};
 use super::super::shape::{fits, lines};
@@ -11,6 +13,9 @@ use crate::mechanics::beam::centerline::Centerline;
 
 /// Angle that an element turns by as drawn, rad, at most: a ring of 16 elements is right to 1 %.
 const LARGEST_ANGLE: f64 = 25.0 * std::f64::consts::PI / 180.0;
+/// Longest element on something round, over its radius: with longer ones a rope that runs onto it loses percents of its
+/// way.
+pub(super) const LONGEST: f64 = 0.6;
 /// A shape that is bent more in one part than in others has up to so many times the elements of an even one.
 const MOST_TIMES_FOR_BENDS: usize = 4;
 /// A count is sought up to so many times the one that the shape asks for.
@@ -39,7 +44,9 @@ fn count(document: &Document, number: usize, beam: &BeamSpec) -> Option<usize> {
     let angle = turns(&line).sum::<f64>().max(if pretwist.is_finite() { pretwist } else { 0.0 });
     // The round-off of a full turn makes no further element.
     let even = fewest.max((angle / LARGEST_ANGLE - 1e-9).ceil() as usize);
-    let least = bent(even, drawn);
+    let bent = bent(even, drawn);
+    let length: f64 = line.spans.iter().map(|span| span.length).sum();
+    let least = bent.max(touching(document, number, length).min(MOST_TIMES * bent));
     let held: Vec<f64> = held_fractions(document, number);
     let is_right = |count: &usize| match held.is_empty() {
         true => drawn(*count).is_some(),
@@ -73,6 +80,16 @@ fn bent(even: usize, drawn: impl Fn(usize) -> Option<Centerline>) -> usize {
         }
         count = next;
     }
+}
+
+/// The number of elements of a beam of length `length`, m, that are short enough to lie on what is round.
+fn touching(document: &Document, number: usize, length: f64) -> usize {
+    let surfaces = document.contacts.iter().flat_map(ContactSpec::pairs).filter(|(beam, _)| *beam == number);
+    // One that is wrong is not there, which is reported elsewhere.
+    let known = surfaces.filter_map(|(_, surface)| document.surfaces.get(surface));
+    let radii = known.filter_map(|surface| surface.shape.winding_radius());
+    let smallest = radii.map(|radius| document.value(radius)).filter(|radius| *radius > 0.0).reduce(f64::min);
+    smallest.map_or(0, |radius| (length / (LONGEST * radius) - 1e-9).ceil() as usize)
 }
 
 /// Fractions of a beam at which joints hold on to nodes.

@@ -1,6 +1,7 @@
 //! Wrong results are told, and results do not depend on units, directions or the run beside them.
 
 pub mod alternating_forces;
+pub mod claims;
 pub mod coarse_ends;
 pub mod coarse_meshes;
 pub mod correction;

@@ -32,9 +32,9 @@ fn errors(rows: &[Row]) -> [f64; 2] {
 
 /// A row of a run: its time, s, and the results that are asked for.
 #[derive(Clone, Debug, PartialEq)]
-struct Row {
-    time: f64,
-    values: Vec<f64>,
+pub(super) struct Row {
+    pub(super) time: f64,
+    pub(super) values: Vec<f64>,
 }
 
 /// Runs to the end, and shows the rows to `look`.
@@ -60,7 +60,7 @@ fn load(text: &str) -> Simulation {
 }
 
 /// Runs until it is accurate; returns the rows of the last run, what is known of it, and the simulation.
-fn repeated(text: &str, names: &[&str], budget: Option<f64>) -> (Vec<Row>, Outcome, Box<Simulation>) {
+pub(super) fn repeated(text: &str, names: &[&str], budget: Option<f64>) -> (Vec<Row>, Outcome, Box<Simulation>) {
     let mut simulation = Box::new(load(text));
     let mut refinement = Refinement::of(&mut simulation, budget).expect("the file leaves something to the program");
     let mut rows = run(&mut simulation, names, |simulation| refinement.look(simulation));
@@ -162,82 +162,6 @@ fn constant_energies_of_equilibria_are_not_judged_by_their_round_off() {
     assert!(outcome.end == End::Reached && outcome.elements <= 32, "{outcome:?}");
 }
 
-/// A load that travels along a wire bends it at a kink, which no mesh resolves with its full order: three meshes show
-/// how the error falls, and the claim is true. The order of smooth motions claimed 0.25 % for 1 %.
-///
-/// The reference is the sum of the modes of a pinned wire under tension; 10 N change the tension by 1e-5 of itself.
-#[test]
-fn kinks_of_traveling_loads_are_told() {
-    let text = "format = 1\nmodel = { name = \"Wire\" }\n\
-                section.wire = { shape = \"rigidities\", EA = 1.45e7, EI_y = 139, EI_z = 139, GJ = 104, line_density = 1.08 }\n\
-                beam.wire = { section = \"wire\", from = [0, 0, 0], to = [60, 0, 0], pretension = 2e4 }\n\
-                joint.a = { type = \"universal\", a = \"ground\", b = \"wire.start\", axis = [0, 1, 0], axis2 = [0, 0, 1] }\n\
-                joint.b = { type = \"universal\", a = \"ground\", b = \"wire.end\", axis = [0, 1, 0], axis2 = [0, 0, 1] }\n\
-                load.pantograph = { on = \"wire\", station = \"40*t/60\", force = [0, 0, 10] }\n\
-                output.middle = { at = \"wire@0.5\", quantities = [\"displacement\"] }\n\
-                simulation = { stop = 1, output_step = 0.01 }\n";
-    let reference = |time: f64| -> f64 {
-        let mode = |n: u32| {
-            let k = f64::from(n) * PI / 60.0;
-            let (own, forced) = (((2e4 * k * k + 139.0 * k.powi(4)) / 1.08).sqrt(), 40.0 * k);
-            let size = 2.0 * 10.0 / (1.08 * 60.0) / (own * own - forced * forced);
-            size * ((forced * time).sin() - forced / own * (own * time).sin()) * (30.0 * k).sin()
-        };
-        (1..2000).map(mode).sum()
-    };
-    let (rows, outcome, _) = repeated(text, &["middle.displacement[3]"], None);
-    let range = rows.iter().map(|row| row.values[0]).fold(0.0, f64::max);
-    let error = rows.iter().map(|row| (row.values[0] - reference(row.time)).abs()).fold(0.0, f64::max) / range;
-    let claim = outcome.worst.as_ref().map_or(0.0, |worst| worst.error);
-    println!("{}: {error:.2e} of {range}", outcome.line());
-    assert!(error < 0.01 && error < 3.0 * claim, "{error} {outcome:?}");
-}
-
-/// Steps that the file gives stay, and so does their error: the runs reach the accuracy of the mesh alone, and say so.
-/// The load has seven steps in a period. The last run told nothing of them.
-#[test]
-fn errors_of_given_steps_are_told_after_repetitions() {
-    let text = "format = 1\nmodel = { name = \"Strip\" }\n\
-                section.strip = { shape = \"rigidities\", EA = 1.7e7, EI_y = 140, EI_z = 22, GJ = 30, line_density = 0.63 }\n\
-                beam.arm = { section = \"strip\", from = [0, 0, 0], to = [1, 0, 0] }\n\
-                joint.root = { type = \"weld\", a = \"ground\", b = \"arm.start\" }\n\
-                load.push = { at = \"arm.end\", force = [0, 0, \"0.01*sin(3000*t)\"] }\n\
-                output.tip = { at = \"arm.end\", quantities = [\"velocity\"] }\n\
-                simulation = { stop = 0.1, step = 3e-4, output_step = 3e-3 }\n";
-    let (_, outcome, mut simulation) = repeated(text, &["tip.velocity[3]"], None);
-    let line = outcome.line();
-    assert!(outcome.keeps_steps && outcome.runs > 1 && line.contains("accuracy of the mesh"), "{line}");
-    let warnings = simulation.take_warnings();
-    assert!(warnings.iter().any(|own| own.contains("because of the length of the steps")), "{line} {warnings:?}");
-}
-
-/// An equilibrium is judged by itself, wherever the file puts the origin: the elastic energy is not lost in that of the
-/// height, nor the sag in the coordinates.
-#[test]
-fn equilibria_are_judged_alike_far_from_the_origin() {
-    let worst = |place: &str| {
-        let text = format!(
-            "format = 1\nmodel = {{ name = \"Strip\", gravity = [0, 0, -9.81] }}\n\
-             section.strip = {{ shape = \"rigidities\", EA = 1e7, EI_y = 1, EI_z = 1, GJ = 1, line_density = 1 }}\n\
-             beam.strip = {{ section = \"strip\", from = [0, 0, {place}], to = [1, 0, {place}], elements = 2 }}\n\
-             joint.clamp = {{ type = \"weld\", a = \"ground\", b = \"strip.start\" }}\n\
-             output.tip = {{ at = \"strip.end\", quantities = [\"position\"] }}\n\
-             simulation = {{ analysis = \"static\", stop = 1 }}\n"
-        );
-        let mut simulation = Simulation::load("strip.toml", &text, &[]).unwrap();
-        simulation.initialize(0.0).unwrap();
-        simulation.advance(1.0).unwrap();
-        simulation.conclude();
-        simulation.mesh_errors().to_vec()
-    };
-    let [near, far] = [worst("0"), worst("1e5")];
-    assert!(near.len() == 2 && near.iter().all(|error| error.error > 1e-3), "{near:?}");
-    for (near, far) in near.iter().zip(&far) {
-        // Coordinates of 1e5 m have round-off of 1e-11 m.
-        assert!(near.name == far.name && (far.error / near.error - 1.0).abs() < 0.6, "{near:?} {far:?}");
-    }
-}
-
 /// A blade that begins at full speed, unstretched, rings along its axis at 200 Hz, above what rows show: finer steps give
 /// the force at its root another phase, while the motion is right. The warning says that, not that the motion itself
 /// is sensitive, and the damping that it advises helps.
@@ -317,6 +241,13 @@ fn meshes_follow_the_shape() {
     let pin = "[body.mass]\nmass = 1\nposition = [0.3, 0, 0]\ninertia = [1, 1, 1]\n\
                [joint.pin]\ntype = \"spherical\"\na = \"mass\"\nb = \"arm@0.3\"";
     let force = |place: f64| format!("[load.push]\nat = \"arm@{place}\"\nforce = [0, 0, 1]");
+    let post = |radius: f64| {
+        format!(
+            "[frame.below]\nposition = [0.5, 0, -0.2]\n[surface.post]\non = \"below\"\nshape = \"cylinder\"\n\
+             axis = [0, 1, 0]\nradius = {radius}\n\
+             [contact.touch]\nof = \"arm\"\nwith = \"post\""
+        )
+    };
     let spring = "[spring.rope]\na = \"ground\"\nb = \"arm@0.35\"\nstiffness = 1\nlength = 1";
     for (line, more, elements) in [
         (straight, &*force(0.3), 10.0),
@@ -328,6 +259,9 @@ fn meshes_follow_the_shape() {
         (corner, "", 8.0),
         (&*format!("{straight}\npretwist = 6"), "", 14.0),
         (straight, pin, 10.0),
+        // Short enough to lie on the post; eight times as many as the shape asks for at most.
+        (straight, &*post(0.1), 17.0),
+        (straight, &*post(0.005), 64.0),
     ] {
         let simulation = try_start(&rod(line, more)).unwrap_or_else(|message| panic!("{message}"));
         assert_eq!(value(&simulation, "arm.elements"), elements, "{line}");

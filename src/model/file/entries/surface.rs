@@ -98,6 +98,16 @@ pub enum Shape {
     },
 }
 
+impl Shape {
+    /// The radius of what beams wind around; none: it is flat, or they do not.
+    pub fn winding_radius(&self) -> Option<Number> {
+        match self {
+            Self::Cylinder { radius, inside: false, .. } | Self::Sheave { radius, .. } => Some(*radius),
+            Self::Plane(_) | Self::Cylinder { .. } | Self::Sphere { .. } | Self::Bottom { .. } => None,
+        }
+    }
+}
+
 #[derive(Clone, Copy)]
 enum Word {
     Plane,

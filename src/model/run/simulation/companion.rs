@@ -119,7 +119,8 @@ impl Companion {
     fn build(&self) -> Result<Simulation, Lost> {
         let [own, changes] = self.overrides.clone();
         let document = levels::changed(&self.document, &own, changes);
-        let document = document.ok_or_else(|| Lost::Start(String::from("its model file cannot be read")))?;
+        let document =
+            document.ok_or_else(|| Lost::Start(String::from("the file makes no model with so few elements")))?;
         Simulation::of(document, own).map_err(|failure| Lost::Start(failure.message))
     }
 

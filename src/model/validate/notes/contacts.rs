@@ -1,13 +1,9 @@
 //! Contacts whose mesh is too coarse for what they touch.
 
+use super::super::meshes::LONGEST;
 use super::Note;
 use crate::model::file::document::Document;
-use crate::model::file::entries::surface::Shape;
 use crate::model::shape::Lines;
-
-/// Longest element on something round, over its radius: with longer ones a rope that runs onto it loses percents of its
-/// way.
-const LONGEST: f64 = 0.6;
 
 /// Says which beams have elements that are too long for a surface.
 pub fn coarse_contacts(document: &Document, lines: &Lines) -> Vec<Note> {
@@ -16,10 +12,8 @@ pub fn coarse_contacts(document: &Document, lines: &Lines) -> Vec<Note> {
         // A run makes the meshes of the program finer until it is right.
         let given = |pair: &(usize, usize)| !document.beams[pair.0].is_meshed_by_program;
         for (beam, surface) in contact.pairs().filter(given) {
-            let radius = match document.surfaces[surface].shape {
-                Shape::Cylinder { radius, inside: false, .. } | Shape::Sheave { radius, .. } => document.value(radius),
-                _ => continue,
-            };
+            let Some(radius) = document.surfaces[surface].shape.winding_radius() else { continue };
+            let radius = document.value(radius);
             let Some(line) = lines.line(beam) else { continue };
             let longest = line.spans.iter().map(|span| span.length).fold(0.0, f64::max);
             if longest > LONGEST * radius {
