@@ -95,6 +95,7 @@ impl Eyes {
         let Self { velocity, time, accelerations, multipliers, largest } = self;
         if velocity.len() != state.velocity.len() {
             velocity.clone_from(&state.velocity);
+            *time = state.time;
             return true;
         }
         let step = state.time - *time;

@@ -101,10 +101,12 @@ impl Measures {
             "m/s2" => gravity.max(size / (duration * duration)),
             "rad" => 1.0,
             "rad/s" => 1.0 / duration,
+            "rad/s2" => 1.0 / (duration * duration),
             "1/m" | "rad/m" => 1.0 / size,
             "" => PURE_NUMBER,
             "N" => energy / size,
             "N.m" | "J" => energy,
+            "W" => energy / duration,
             "kg.m/s" => energy * duration / size,
             "kg.m2/s" => energy * duration,
             _ => 0.0,
@@ -184,6 +186,16 @@ mod tests {
         assert_eq!(scales, [3.0, 0.1]);
         assert_eq!(measures.scales(&[("line.laid_length", "m", span)]), [3.0]);
         assert_eq!(measures.scales(&[("grip.sliding", "", Span::default())]), [0.0]);
+    }
+
+    /// Round-off of an acceleration of an angle, and of a power, is zero.
+    #[test]
+    fn round_off_is_zero_in_every_unit() {
+        let measures = Measures { size: 1.0, duration: 1.0, energy: 1.0, gravity: 9.81, beams: Beams::default() };
+        let span = Span { range: 1e-12, size: 1e-12 };
+        for unit in ["m", "m/s", "m/s2", "rad", "rad/s", "rad/s2", "N", "N.m", "J", "W", "1/m"] {
+            assert_eq!(measures.scales(&[("any.quantity", unit, span)]), [0.0], "{unit}");
+        }
     }
 
     /// An equilibrium 100 km from the origin is judged as one there.

@@ -4,6 +4,8 @@
 use super::{section, water};
 use crate::running::{run, start, value, vector};
 use ancf14::fmi::Model;
+use ancf14::model::document::Document;
+use ancf14::model::notes::notes;
 use std::f64::consts::PI;
 
 const DENSITY: f64 = 1025.0;
@@ -90,4 +92,18 @@ fn a_line_hangs_in_a_current() {
     }
     println!("{errors:?} m");
     assert!(errors[0] < 2e-3 && errors[1] < 2e-4);
+}
+
+/// A section without drag is told where water may slow its beam: in a motion, and in a current. In an equilibrium of still
+/// water it does not matter.
+#[test]
+fn missing_drag_is_told_where_it_matters() {
+    let told = |water_keys: &str, analysis: &str| {
+        let text = rod("[2, 0, 0]", "", water_keys) + &format!("[simulation]\nanalysis = \"{analysis}\"\nstop = 1\n");
+        let found = notes(&Document::parse("m.toml", &text, &[]).unwrap_or_else(|mistakes| panic!("{mistakes}")));
+        found.iter().filter(|own| own.contains("no `drag` and no `added_mass`")).count()
+    };
+    let cases =
+        [("", "static"), ("current = [0.5, 0, 0]", "static"), ("current = [\"t\", 0, 0]", "static"), ("", "dynamic")];
+    assert_eq!(cases.map(|(keys, analysis)| told(keys, analysis)), [0, 1, 1, 1]);
 }

@@ -335,7 +335,7 @@ impl Runner {
                 ends.push(state.time);
             }
             if let Some(between) = &mut between
-                && (between.is_due(state) || is_static)
+                && (is_static || between.is_due(state))
                 && state.time < plan.end
             {
                 between.include(table, (system, state), |response| match responder {

@@ -3,6 +3,8 @@
 use super::Note;
 use crate::model::file::document::Document;
 use crate::model::file::entries::beam::BeamSpec;
+use crate::model::file::entries::simulation::Analysis;
+use crate::model::file::number::Number;
 use crate::model::shape::sections;
 
 /// Names beams in water without drag.
@@ -25,7 +27,12 @@ fn idle_air(document: &Document) -> Option<Note> {
 }
 
 fn without_drag(document: &Document, beam: &BeamSpec) -> Option<Note> {
-    document.water.as_ref()?;
+    let water = document.water.as_ref()?;
+    // Nothing is slowed that stands in still water.
+    let stands = |number: &Number| document.function(*number).is_constant() && document.value(*number) == 0.0;
+    if document.simulation.analysis == Analysis::Static && water.current.iter().all(stands) {
+        return None;
+    }
     let section = document.sections.get(beam.section)?;
     let diameter = sections::outer_diameter(section, |number| document.value(number))?;
     let is_dragged = section.immersion.drag.is_some() || section.immersion.added_mass.is_some();
