@@ -22,6 +22,9 @@ const ZERO: f64 = 1e-9;
 /// Strains and quaternions: a strain of 1e-12 is round-off.
 const PURE_NUMBER: f64 = 1e-3;
 
+/// A constant position is compared with so many sizes of the mechanism as drawn at most: a winch may pay out more.
+const MOST_SIZES: f64 = 2.0;
+
 /// A quantity is compared with this share at least of the largest one of its kind: what is far smaller than the others
 /// does not matter to a reader.
 const SMALL: f64 = 0.1;
@@ -84,7 +87,7 @@ impl Measures {
 
     /// The scale of a quantity with this unit that ranges as `span`, for itself; 0: it is zero.
     fn scale(&self, unit: &str, span: Span) -> f64 {
-        let scale = span.scale(self.natural(unit), if unit == "m" { self.size } else { f64::INFINITY });
+        let scale = span.scale(self.natural(unit), if unit == "m" { MOST_SIZES * self.size } else { f64::INFINITY });
         if scale > 0.0 { scale.max(self.beams.relieved.of(unit)) } else { 0.0 }
     }
 
@@ -203,6 +206,6 @@ mod tests {
     fn constant_positions_are_judged_by_the_size_of_the_mechanism() {
         let measures = Measures { size: 2.0, duration: 1.0, energy: 1.0, gravity: 9.81, beams: Beams::default() };
         let at = |size: f64| measures.scales(&[("tip.position", "m", Span { range: 0.0, size })])[0];
-        assert_eq!([at(0.5), at(1e5)], [0.5, 2.0]);
+        assert_eq!([at(0.5), at(1e5)], [0.5, 4.0]);
     }
 }
