@@ -247,13 +247,15 @@ fn advance(
             rows.warnings.append(&mut simulation.take_warnings());
             rows.ranges = simulation.model().ranges();
         }
-        rows.ranges.include_between(simulation.model().between_rows());
+        // The row first: of equal values it is the one that is told.
         rows.ranges.include(decimal(simulation.time()), simulation.model().results());
+        rows.ranges.include_between(simulation.model().between_rows());
         rows.times.push(decimal(simulation.time()));
         for id in &outputs {
             rows.values.push(simulation.value_of(*id)?);
         }
         drop(rows);
+        simulation.begin_row();
         // The value of this row acts until the next one.
         if row > 0 {
             set(simulation, row)?;

@@ -17,6 +17,11 @@ impl Simulation {
         self.mechanism_mut().look_at_all_steps();
     }
 
+    /// A row has been told: the extremes of ranges along beams begin anew.
+    pub fn begin_row(&mut self) {
+        self.mechanism_mut().begin_row();
+    }
+
     /// Shows the row that is reached to `refinement`.
     pub fn look(&self, refinement: &mut Refinement) {
         refinement.look(self.model());

@@ -66,14 +66,16 @@ impl Attempt {
         let Self { simulation, results, ranges, rows, film, held } = self;
         let holds = refinement.is_some();
         let bar = bar(count);
-        let mut record = |row: u64, time: f64, simulation: &Simulation| {
+        let mut record = |row: u64, time: f64, simulation: &mut Simulation| {
             if let Some(refinement) = &mut refinement {
                 refinement.look(simulation);
             }
             locked(rows).push(time, &results.record(time, simulation)).map_err(End::Write)?;
             results.include_between(|reference| simulation.extremes_between_rows(reference));
-            ranges.include_between(simulation.between_rows());
+            // The row first: of equal values it is the one that is told.
             ranges.include(time, simulation.results());
+            ranges.include_between(simulation.between_rows());
+            simulation.begin_row();
             film.iter_mut().for_each(|film| film.look(row, simulation));
             Ok(())
         };

@@ -26,8 +26,8 @@ pub const PAGE: &str = "index.html";
 const LINES: usize = 10;
 /// Digits of the numbers in it.
 const DIGITS: usize = 4;
-/// Share of a range by which extremes lie beyond the rows before a line says so: rows of a twentieth of a period miss
-/// this much of an amplitude, 1 - cos(pi/20), and no plot shows less.
+/// Share of a range by which extremes lie beyond the rows before a line says so. Rows of a tenth of a period miss up to
+/// `(1 - cos(pi/10))/2` of the range, 2.4 %.
 const HIDDEN: f64 = 0.02;
 
 /// Sums up a run that took these counts and `wall` seconds; none if it has no row. `settings` are the overrides of
@@ -148,7 +148,7 @@ fn hidden(summary: &Summary, start: f64) -> Option<String> {
     let step = (summary.reached - start) / summary.steps as f64;
     (worst.beyond_rows > HIDDEN).then(|| {
         format!(
-            "an extreme of {} lies between rows, {:.0} % of the range beyond them; to see it in the plot, set \
+            "{} has an extreme between its rows, {:.0} % of the range beyond them: to see it in the plot, set \
              simulation.output_step = {step:.0e}",
             worst.name,
             100.0 * worst.beyond_rows

@@ -28,7 +28,8 @@ pub struct Column {
 
 impl Column {
     /// The lowest and the highest value, and how far they lie beyond those of the rows, as a share of the range. One of
-    /// the rows stays unless one between them lies clearly further out. `noise`: values closer together differ by round-off only.
+    /// the rows stays unless one between them lies clearly further out. `noise`: values closer together differ by
+    /// round-off only.
     fn extremes(&self, noise: f64) -> ([Option<Peak>; 2], f64) {
         let Some(points) = self.trace.extremes() else { return ([None; 2], 0.0) };
         let [low, high] = points.map(|(time, value)| Peak { value, time: decimal(time) });

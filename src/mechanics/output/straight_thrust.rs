@@ -8,6 +8,7 @@ use super::strain_fit::StrainFit;
 use crate::math::vectors::vec3;
 use crate::mechanics::beam::ancf14::coordinates::P;
 use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::marker::Marker;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -21,7 +22,7 @@ const PARALLEL: f64 = 1e-8;
 pub struct Thrust {
     /// Its mean along the beam, N.
     pub force: f64,
-    /// `4 π² EI/L²`, N: no end holds a beam up to more.
+    /// `4 π² EI/L²`, N: no ends hold a beam up to more; `π²/4 EI/L²` where an end is free.
     pub critical: f64,
     /// How fast bows grow, 1/s.
     pub rate: f64,
@@ -55,10 +56,16 @@ impl System {
         }
         let force = -impulse / length;
         let rate = force / (2.0 * (rigidity * line_density).sqrt());
-        (force > 0.0 && rigidity > 0.0).then_some(Thrust {
-            force,
-            critical: rigidity * (2.0 * PI / length).powi(2),
-            rate,
-        })
+        let are_tied = [nodes.start, nodes.end - 1].into_iter().all(|node| self.is_tied(node));
+        let critical = rigidity * (if are_tied { 2.0 * PI } else { 0.5 * PI } / length).powi(2);
+        (force > 0.0 && rigidity > 0.0).then_some(Thrust { force, critical, rate })
+    }
+
+    /// Whether anything ties a node to another part or to the ground. Ropes may, wherever they are.
+    fn is_tied(&self, node: usize) -> bool {
+        let is_there = |marker: &Marker| matches!(marker, Marker::Node { node: own, .. } if *own == node);
+        let joints = self.joints.iter().flat_map(|joint| [&joint.a, &joint.b]);
+        let measured = self.relative_coordinates.iter().flat_map(|coordinate| [&coordinate.a, &coordinate.b]);
+        !self.ropes.is_empty() || joints.chain(measured).any(is_there)
     }
 }

@@ -1,4 +1,4 @@
-//! The extremes of the results between two rows: a blow that begins and ends there has its peak in no row.
+//! The extremes of the results from row to row: a blow that begins and ends between two rows has its peak in none.
 
 use crate::error::Error;
 use crate::mechanics::state::State;
@@ -14,7 +14,7 @@ pub type LowAndHigh = [[f64; 2]; 2];
 /// range, and of the largest of all: round-off of what stands still is none.
 const FURTHER: [f64; 2] = [1e-4, 1e-6];
 
-/// The extremes of all results at the ends of the steps since the last row.
+/// The extremes of all results since the last row, at ends of steps.
 #[derive(Debug, Default)]
 pub struct Between {
     extremes: Vec<LowAndHigh>,
@@ -26,8 +26,8 @@ pub struct Between {
 }
 
 impl Between {
-    /// A row has been told.
-    pub fn clear(&mut self) {
+    /// A row has been told: what follows belongs to the next one.
+    pub fn begin_row(&mut self) {
         self.extremes.clear();
     }
 
@@ -55,23 +55,32 @@ impl Between {
             return;
         }
         table.measure(&Moment { system, state, response, fibers: &[] }, frames, results);
-        extremes.resize(results.len(), [[f64::INFINITY, 0.0], [f64::NEG_INFINITY, 0.0]]);
-        for ([low, high], value) in extremes.iter_mut().zip(results) {
-            if !value.is_finite() {
-                continue;
-            }
-            if *value < low[0] {
-                *low = [*value, state.time];
-            }
-            if *value > high[0] {
-                *high = [*value, state.time];
-            }
-        }
+        include(extremes, state.time, results);
     }
 
-    /// The extremes of all results; empty: no step ended between the rows.
+    /// Includes `results` that are known, at `time`, s.
+    pub fn include_results(&mut self, time: f64, results: &[f64]) {
+        include(&mut self.extremes, time, results);
+    }
+
+    /// The extremes of all results; empty: nothing has been seen since the last row.
     pub fn extremes(&self) -> &[LowAndHigh] {
         &self.extremes
+    }
+}
+
+fn include(extremes: &mut Vec<LowAndHigh>, time: f64, results: &[f64]) {
+    extremes.resize(results.len(), [[f64::INFINITY, 0.0], [f64::NEG_INFINITY, 0.0]]);
+    for ([low, high], value) in extremes.iter_mut().zip(results) {
+        if !value.is_finite() {
+            continue;
+        }
+        if *value < low[0] {
+            *low = [*value, time];
+        }
+        if *value > high[0] {
+            *high = [*value, time];
+        }
     }
 }
 

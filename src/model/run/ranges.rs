@@ -1,7 +1,8 @@
 //! Ranges over time of quantities along beams, `summary = "range"` of an output: minimum, maximum and mean of each
 //! component at each station.
 //!
-//! The mean is that of the straight lines from row to row, whatever their distances. Extremes are those of all steps.
+//! The mean is that of the straight lines from row to row, whatever their distances. Extremes include steps
+//! between the rows.
 
 use super::between::LowAndHigh;
 use crate::error::decimal;

@@ -278,6 +278,7 @@ impl Simulation {
     /// Reads all results off the state that the system has reached, and looks whether they are odd.
     fn measure(&mut self) -> Result<(), Failure> {
         self.read_results().map_err(|error| failure(&error))?;
+        self.note_results();
         if let Some(number) = self.results.iter().position(|result| !result.is_finite()) {
             return Err(wrong(self.not_finite(number)));
         }

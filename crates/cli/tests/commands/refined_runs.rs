@@ -105,8 +105,8 @@ fn rows_of_a_killed_repetition_are_cleared() {
     assert!(!next.exists());
 }
 
-/// The ranges along a beam are those of the run that is kept, between its rows too, also where the run is repeated with finer
-/// meshes; they have a chart on the page and no columns, and the next run without them removes them.
+/// The ranges along a beam are those of the run that is kept, between its rows too, also where the run is repeated with
+/// finer meshes; they have a chart on the page and no columns, and the next run without them removes them.
 #[test]
 fn ranges_are_those_of_the_last_run() {
     let directory = tempfile::tempdir().unwrap();

@@ -47,12 +47,25 @@ impl Simulation {
         }
     }
 
-    /// The extremes of all results at steps that ended between the last two rows; empty: none did, or nobody looks.
+    /// Includes the results that were read off the state that is reached, as computed.
+    pub(super) fn note_results(&mut self) {
+        if let Some(between) = &mut self.between {
+            between.include_results(self.runner.state.time, &self.results);
+        }
+    }
+
+    /// A row has been told: extremes begin anew.
+    pub fn begin_row(&mut self) {
+        self.between.iter_mut().for_each(|between| between.begin_row());
+    }
+
+    /// The extremes of all results since [`Self::begin_row`], whatever communication steps led here; empty: nobody
+    /// looks.
     pub fn between_rows(&self) -> &[LowAndHigh] {
         self.between.as_deref().map_or(&[], Between::extremes)
     }
 
-    /// Those of the variable with this value reference; none: it is no result, or no step ended there.
+    /// Those of the variable with this value reference; none: it is no result, or nobody looks.
     pub fn extremes_between_rows(&self, reference: usize) -> Option<LowAndHigh> {
         let Source::Result(number) = self.table.sources[reference] else { return None };
         self.between_rows().get(number).copied()

@@ -324,7 +324,6 @@ impl Runner {
     pub(super) fn advance(&mut self, end: f64, table: &Table, mut between: Option<&mut Between>) -> Result<(), Error> {
         let plan = self.depart(end)?;
         let Self { system, state, solver, responder, course, ends, .. } = self;
-        between.iter_mut().for_each(|between| between.clear());
         let is_static = matches!(solver, Solver::Statics(_));
         let mut look = |event: Event, system: &System, state: &State, respond: Respond| {
             if event == Event::Switch {

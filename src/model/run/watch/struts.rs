@@ -16,8 +16,8 @@ const MOST_GROWTH: f64 = 7.0;
 pub struct StrutWatch {
     /// Equilibria have their own word for what buckles.
     is_static: bool,
-    /// Time of the last look, s.
-    time: f64,
+    /// Time of the last look, s; none: there was none.
+    time: Option<f64>,
     /// Growth of a bow of each beam since the thrust began, as an exponent.
     growths: Vec<f64>,
     warned: bool,
@@ -34,8 +34,8 @@ impl StrutWatch {
         if self.is_static || self.warned {
             return None;
         }
-        let passed = state.instant() - self.time;
-        self.time = state.instant();
+        let now = state.instant();
+        let passed = now - self.time.replace(now).unwrap_or(now);
         self.growths.resize(system.beams.len(), 0.0);
         let c = frames.of(system, state);
         for (number, growth) in self.growths.iter_mut().enumerate() {
@@ -49,12 +49,12 @@ impl StrutWatch {
                 self.warned = true;
                 return Some(format!(
                     "beam {} stays straight under a compression of {:.3e} N at t = {} s, {:.1} times the load that \
-                     buckles it with both ends clamped: nothing bends a perfectly straight beam, and a real one \
+                     buckles it: nothing bends a perfectly straight beam, and a real one \
                      buckles within {:.1e} s. Draw it with a slight bow, add a small load from the side, or model a \
                      line that only pulls as a spring with only = \"tension\"",
                     system.beams[number].name,
                     thrust.force,
-                    decimal(state.instant()),
+                    decimal(now),
                     thrust.force / thrust.critical,
                     MOST_GROWTH / thrust.rate
                 ));
