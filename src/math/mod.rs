@@ -18,6 +18,7 @@ pub mod resolution;
 pub mod rotation;
 pub mod spline;
 pub mod switches;
+pub mod tight_line;
 pub mod vectors;
 
 /// A vector in space.

@@ -1,6 +1,8 @@
 //! What the unknowns of a system are, in words: for messages.
 
 use crate::mechanics::beam::Beam;
+use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::beam::section::Section;
 use crate::mechanics::body::kinematics::BODY;
 use crate::mechanics::constraint::joint::Joint;
 use crate::mechanics::constraint::primitive::Primitive;
@@ -34,15 +36,25 @@ impl System {
         found.map_or_else(|| String::from("an unknown"), |(joint, _)| self.describe_joint(joint))
     }
 
-    /// Whether unknown `index` is the spin of a chain, which has no stiffness against torsion.
-    pub fn is_spin_of_chain(&self, index: usize) -> bool {
+    /// Whether unknown `index` is a spin that no result shows: that of a chain, which has no stiffness against torsion,
+    /// or that of a rope about itself, which bends alike in all planes and is straight when free of stress.
+    pub fn is_hidden_spin(&self, index: usize) -> bool {
         if index >= self.mesh.coordinates() {
             return false;
         }
         let number = self.mesh.node_of(index);
         let is_spin = self.mesh.nodes[number].is_spin(index);
         let owner = self.beams.iter().find(|beam| beam.node_range().contains(&number));
-        is_spin && owner.is_some_and(|beam| beam.section.limp.torsion)
+        let rolls = |beam: &Beam| {
+            let Section { second_moment_y, second_moment_z, product_moment, .. } = beam.section;
+            let is_straight = |element: &AnyElement| match element {
+                AnyElement::Ancf14(element) => element.is_straight_without_stress(),
+                AnyElement::PaidOut(_) | AnyElement::Ancf24(_) => false,
+            };
+            let alike = second_moment_y == second_moment_z && product_moment == 0.0;
+            alike && self.mesh.elements[beam.element_range()].iter().all(is_straight)
+        };
+        is_spin && owner.is_some_and(|beam| beam.section.limp.torsion || rolls(beam))
     }
 
     /// A joint's name. The rigidity of a body is nobody's choice: in its stead stand the joints of the body.

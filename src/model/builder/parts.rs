@@ -23,8 +23,7 @@ impl Builder<'_> {
         let is_paid_out = document.winches.iter().any(|winch| document.beams[winch.beam].name == beam.name);
         let written = &document.sections[beam.section];
         let length = line.spans.iter().map(|span| span.length).sum();
-        // A line that is laid is straight without stress.
-        let is_laid = matches!(beam.line, Some(Line::Laid { .. }));
+        let is_straight = beam.line.as_ref().is_some_and(Line::is_straight_without_stress);
         let least = sections::least_rigidity(document, beam, line);
         let number = self.system.add_beam(&BeamDesign {
             name: beam.name.clone(),
@@ -40,14 +39,13 @@ impl Builder<'_> {
             tension_damping: beam.tension_damping.map_or(0.0, |number| document.value(number)),
             prestress: Prestress {
                 tension: beam.pretension.map_or(0.0, |number| document.value(number)),
-                curvature: match is_laid {
-                    true => Some([0.0; 2]),
-                    false => beam.free_curvature.map(|numbers| numbers.map(|number| document.value(number))),
-                },
-                torsion: match is_laid {
-                    true => Some(0.0),
-                    false => beam.free_torsion.map(|number| document.value(number)),
-                },
+                curvature: beam.free_curvature.map_or_else(
+                    || is_straight.then_some([0.0; 2]),
+                    |numbers| Some(numbers.map(|number| document.value(number))),
+                ),
+                torsion: beam
+                    .free_torsion
+                    .map_or_else(|| is_straight.then_some(0.0), |number| Some(document.value(number))),
             },
             elements: beam.formulation,
             velocity: vector(document, beam.velocity),

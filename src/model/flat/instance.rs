@@ -243,13 +243,14 @@ impl<'a> Flattener<'a> {
             let item = match (role(&section.key, &entry.key, is_list), &entry.item.node) {
                 (Role::Word, _) => entry.item.clone(),
                 (Role::Name(kind), Node::Text(name)) => self.named(scope, Some(kind), name, &entry.item),
-                (Role::Names(kind), Node::Text(name)) => self.named(scope, Some(kind), name, &entry.item),
-                (Role::Names(kind), Node::Array(items)) => {
-                    let named = items.iter().map(|item| match &item.node {
-                        Node::Text(name) => self.named(scope, Some(kind), name, item),
-                        _ => item.clone(),
+                (Role::Names(kind), _) => self.all_named(scope, kind, &entry.item),
+                (Role::Curve, Node::Table(keys)) => {
+                    let filled = keys.iter().map(|key| {
+                        let is_over = key.key == "over";
+                        let names = is_over.then(|| self.all_named(scope, "surface", &key.item));
+                        Entry { item: names.unwrap_or_else(|| self.numbers(scope, &key.item)), ..key.clone() }
                     });
-                    Item { node: Node::Array(named.collect()), ..entry.item }
+                    Item { node: Node::Table(filled.collect()), ..entry.item }
                 }
                 (Role::Part, Node::Text(name)) => self.named(scope, None, name, &entry.item),
                 _ => self.numbers(scope, &entry.item),
@@ -271,6 +272,18 @@ impl<'a> Flattener<'a> {
         }
         let item = Item { node: Node::Table(entries), ..thing.item };
         self.push(scope, section, Entry { key: scope.flat_name(&thing.key), key_place: thing.key_place, item });
+    }
+
+    /// A name, or a list of names, of things of `section`; anything else is left for the reader to refuse.
+    fn all_named(&mut self, scope: &Scope<'_>, section: &str, item: &Item) -> Item {
+        match &item.node {
+            Node::Text(name) => self.named(scope, Some(section), name, item),
+            Node::Array(items) => {
+                let named = items.iter().map(|item| self.all_named(scope, section, item));
+                Item { node: Node::Array(named.collect()), ..*item }
+            }
+            _ => item.clone(),
+        }
     }
 
     fn named(&mut self, scope: &Scope<'_>, section: Option<&str>, name: &str, item: &Item) -> Item {

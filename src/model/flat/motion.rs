@@ -145,6 +145,9 @@ impl Motion {
         if let Some(points) = entries.iter_mut().find(|entry| entry.key == "points") {
             return self.move_rows(&mut points.item, true);
         }
+        for end in entries.iter_mut().filter(|entry| matches!(entry.key.as_str(), "from" | "to")) {
+            self.move_list(&mut end.item, true)?;
+        }
         let mut coordinates: [Option<&mut Item>; 3] = [None, None, None];
         for entry in entries {
             if let Some(at) = ["x", "y", "z"].iter().position(|key| *key == entry.key) {

@@ -4,6 +4,7 @@
 use super::correction::{self, Remainder};
 use super::neighbor::Neighbor;
 use super::scale::{self, Measures, Span};
+use super::spell::Spell;
 use super::step_setting::Setting;
 use crate::math::histogram::Histogram;
 use crate::mechanics::state::State;
@@ -80,6 +81,8 @@ struct Family {
 pub struct Differences {
     /// Differences of each family: the largest one among its columns for each row.
     families: Vec<Histogram>,
+    /// The same of the rows that follow each other.
+    spells: Vec<Spell>,
     largest: Vec<f64>,
     /// The row of the other run; scratch memory.
     other: Vec<f64>,
@@ -182,13 +185,21 @@ impl Columns {
 impl Differences {
     /// Includes a row of both runs.
     pub fn include(&mut self, columns: &Columns, own: &[f64], other: &[f64]) {
-        let Self { families, largest, other: row } = self;
+        let Self { families, spells, largest, other: row } = self;
         row.clear();
         row.extend_from_slice(other);
         columns.compare_turns(own, row);
         columns.find_largest(|result| (own[result] - row[result]).abs(), largest);
         families.resize(largest.len(), Histogram::default());
-        families.iter_mut().zip(largest).for_each(|(differences, largest)| differences.add(*largest));
+        families.iter_mut().zip(&*largest).for_each(|(differences, largest)| differences.add(*largest));
+        spells.resize(largest.len(), Spell::default());
+        spells.iter_mut().zip(largest).for_each(|(spell, largest)| spell.add(*largest));
+    }
+
+    /// The difference of family `number` that at most the share `left_out` of the rows exceeds, and no rows that follow
+    /// each other do; none: there are no rows.
+    fn of(&self, number: usize, left_out: f64) -> Option<f64> {
+        Some(self.families.get(number)?.exceeded_by(left_out).max(self.spells[number].lasting()))
     }
 }
 
@@ -332,7 +343,7 @@ impl Accuracy {
         let error = |number: usize, family: &Family| {
             // Results of equilibria do not jump.
             let left_out = if is_motion { family.left_out() } else { 0.0 };
-            let difference = differences.families.get(number)?.exceeded_by(left_out);
+            let difference = differences.of(number, left_out)?;
             Some(difference / divisor(&family.name, family.order == ORDER))
         };
         self.shares(columns, measures, error)

@@ -13,6 +13,7 @@ pub mod ranges;
 pub mod rows;
 pub(super) mod scale;
 pub mod simulation;
+mod spell;
 pub mod step_length;
 pub mod step_setting;
 pub mod watch;

@@ -1,6 +1,6 @@
 //! The lines of beams as drawn, from what is written; and what is wrong with them, in words.
 
-use super::{sections, shown, vector};
+use super::{over, sections, shown, vector};
 use crate::math::catenary::{Catenary, NoCatenary};
 use crate::math::curve::Curve;
 use crate::math::curve_defect::{CurveDefect, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
@@ -99,6 +99,10 @@ pub fn line(document: &Document, beam: &BeamSpec, elements: usize) -> Drawn {
         Some(Line::Laid { place, from, to, length }) => laid(document, beam, ([*from, *to], *length, *place), elements),
         Some(Line::Curved(curve)) => match &curve.shape {
             Shape::Points(points) => through(document, beam, curve, points, elements),
+            Shape::Over(tight) => match over::curve(document, beam, tight)? {
+                Some(found) => smooth(document, beam, curve, &found, elements),
+                None => Ok(None),
+            },
             Shape::Expressions { coordinates, range } => {
                 let Some(found) = expressions(document, *coordinates, *range)? else { return Ok(None) };
                 if curve.polyline {
@@ -342,7 +346,7 @@ fn defective(
     let is_spline = matches!(written.shape, Shape::Points(_));
     let at = |s: f64| match &written.shape {
         Shape::Points(points) => point_near(document, points, s),
-        Shape::Expressions { .. } => format!("s = {}", shown_in(curve.range, s)),
+        Shape::Expressions { .. } | Shape::Over(_) => format!("s = {}", shown_in(curve.range, s)),
     };
     let (message, label, help) = match *defect {
         CurveDefect::NoLength => (

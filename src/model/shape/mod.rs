@@ -1,8 +1,10 @@
 //! Makes the shapes of parts from the file: the lines of beams, their sections, the places of their temperatures.
 
+mod carriers;
 pub mod contacts;
 pub mod heat;
 pub mod lines;
+mod over;
 mod places;
 pub mod sections;
 

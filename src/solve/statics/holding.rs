@@ -185,7 +185,7 @@ impl Statics {
     pub(super) fn remark_held(&mut self, system: &System, before: &State, state: &State) {
         let is_new = |held: &&HeldCoordinate| before.held.iter().all(|other| other.index != held.index);
         let new = state.held.iter().filter(is_new).map(|held| held.index);
-        let new: Vec<usize> = new.filter(|index| !system.is_spin_of_chain(*index)).collect();
+        let new: Vec<usize> = new.filter(|index| !system.is_hidden_spin(*index)).collect();
         // The directions in which a body turns have one name.
         let mut all: Vec<String> = Vec::new();
         for name in new.iter().map(|index| system.describe_unknown(*index)) {

@@ -13,6 +13,7 @@ pub mod model_parts;
 pub mod names;
 pub mod notes;
 pub mod odd_machines;
+pub mod over;
 mod reference;
 pub mod step_notes;
 mod surfaces;

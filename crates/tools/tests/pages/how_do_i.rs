@@ -10,7 +10,7 @@ use ancf14_testing::running::value;
 const INDEX: &str = include_str!("../../../../docs/how-do-i.md");
 
 /// The name, the result at the end, its value by a closed form, and the tolerance of the comparison.
-const STATED: [(&str, &str, f64, f64); 20] = [
+const STATED: [(&str, &str, f64, f64); 21] = [
     // Winkler: F (k/(4 EI))^0.25/(2 k); the supports stand 0.25 m apart and the ends are free: 1 %.
     ("RailOnBed", "settlement.displacement[3]", -1.187e-3, 1e-2),
     // Frýba's series with the rotary inertia of Rayleigh's beam: the accuracy, 1e-3 of a range ten times as large.
@@ -35,6 +35,8 @@ const STATED: [(&str, &str, f64, f64); 20] = [
     ("LinkWithController", "motion.angle", 1.2, 1e-3),
     // 100 N e^(0.3 pi): a half turn with eight elements, 5e-3.
     ("RopeOnPost", "pulled.reaction_force[3]", -256.633, 5e-3),
+    // A third of the torque. Elements of a fifth of the radius, and a belt that lies 2 micrometers inside: 1e-3.
+    ("BeltOnPulleys", "held.effort", -20.0 / 3.0, 1e-3),
     // The elastic catenary that ends on a rigid seabed. The soil gives by 9 mm of 50 m, which raises the force: 2e-3.
     ("MooringLine", "top.reaction_force[1]", 92094.9, 2e-3),
     // density drag diameter velocity^2 L^4/(16 EI), small deflections: squares of slopes of 3e-3, and of the motion.

@@ -17,6 +17,11 @@ impl Element {
         }
     }
 
+    /// Whether it is written that it is straight when free of stress, in both planes.
+    pub fn is_straight_without_stress(&self) -> bool {
+        self.prestress.as_deref().is_some_and(|own| own.given.curvature == Some([0.0; 2]))
+    }
+
     /// Makes it stress free at `prestress` instead of as drawn.
     pub fn prestressed(mut self, prestress: &Prestress) -> Self {
         for point in &mut self.axial {

@@ -127,7 +127,7 @@ impl RopeSpec {
         if let (Some(from), Some(over), Some(to)) = (from, &over, to) {
             let drums = [from, to].iter().filter(|end| matches!(end, End::Drum(_))).count();
             let count = over.len() + drums;
-            if turns.len() != count || turns.iter().any(|turn| turn.abs() != 1) {
+            if turns.len() != count || turns.iter().any(|turn| turn.unsigned_abs() != 1) {
                 let listed = if has_turns { "are not as many numbers 1 or -1" } else { "are missing" };
                 let message = format!("the turns of {} {listed}: it has {count} drums and sheaves", reader.title);
                 let help = "one number for each of them, in the order of the rope: 1 where the rope runs \
