@@ -24,7 +24,8 @@ pub(super) const KEYS: &[Key] = &[
     Key::name(
         "curve",
         Role::Curve,
-        "the line of a curved beam, instead of `from` and `to`: a table of expressions, points, or surfaces that it is tight over",
+        "the line of a curved beam, instead of `from` and `to`: a table of expressions, points, or surfaces that it \
+         is tight over",
     ),
     Key::name("lay", Role::Number, "{ length = 410 }: a line of this length, drawn as it hangs from `from` to `to`"),
     Key::word("spacing", &words_of(&SPACINGS), "how elements share a curve"),

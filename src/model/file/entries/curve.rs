@@ -97,11 +97,11 @@ const FORMS: &str =
     "{ x = .., y = .., z = .., s = [0, 1] }, { points = [[0, 0, 0], ..] } or { over = [\"SURFACE\", ..], .. }";
 
 /// The turns of a closed curve.
-const CLOSED_TURNS: &str = "for each surface in its order, 1 where the curve runs right-handed about the axis, -1 where it \
-                            runs left-handed";
+const CLOSED_TURNS: &str = "for each surface in its order, 1 where the curve runs right-handed about the axis, \
+                            -1 where it runs left-handed";
 /// The turns of a curve from end to end.
-const OPEN_TURNS: &str = "for each surface in its order, 1 where the curve runs right-handed about the axis, -1 where it \
-                          runs left-handed; 3 or -3 with two whole turns beyond the arc";
+const OPEN_TURNS: &str = "for each surface in its order, 1 where the curve runs right-handed about the axis, \
+                          -1 where it runs left-handed; 3 or -3 with two whole turns beyond the arc";
 
 impl Line {
     /// Whether it is straight when free of stress, unless the beam says otherwise: where it only lies as it is drawn.
