@@ -13,6 +13,7 @@ use crate::model::file::entries::curve::TightSpec;
 use crate::model::file::entries::surface::{Shape, SurfaceSpec};
 use crate::model::file::reader::anchor::Spot;
 use crate::model::text::diagnostic::Diagnostic;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Sine of the angle between two axes that are one direction but for round-off.
@@ -41,15 +42,7 @@ pub fn curve(document: &Document, beam: &BeamSpec, written: &TightSpec) -> Resul
     }
     let Some(first) = rounds.first() else { return Ok(None) };
     let axes = first.axes;
-    if let Some(other) = rounds.iter().find(|round| round.axes.column(0).cross(&axes.column(0)).norm() > SAME_DIRECTION)
-    {
-        let sine = other.axes.column(0).cross(&axes.column(0)).norm();
-        let message =
-            format!("the axes of surfaces {} and {} have different directions", first.spec.name, other.spec.name);
-        let label = format!("they are {:.3} degrees apart", sine.min(1.0).asin().to_degrees());
-        let help = "beam curves run over surfaces whose axes have one direction; give `points` instead";
-        return Err(Box::new(document.diagnostic(written.location, &message, &label, help)));
-    }
+    of_one_direction(document, written, &rounds)?;
     // Components along and across the axes, from the middle of the first surface.
     let own = |point: Vec3| axes.tr_mul(&(point - first.middle));
     let turns = written.turns.clone().unwrap_or_else(|| outside(&rounds, &axes));
@@ -78,6 +71,14 @@ pub fn curve(document: &Document, beam: &BeamSpec, written: &TightSpec) -> Resul
         let message = format!("the curve of beam {} is too long to compute with", beam.name);
         return Err(Box::new(document.diagnostic(written.location, &message, "these are too far away", "")));
     }
+    if written.turns.is_none()
+        && let Some(inside) = inside(&line, &rounds)
+    {
+        let message = format!("the curve of beam {} does not go around all surfaces from outside", beam.name);
+        let label = format!("surface {} is not at the outside of them, in this order", rounds[inside].spec.name);
+        let help = "list the surfaces as a belt around them meets them, or give the `turns`: 1 or -1 for each";
+        return Err(Box::new(document.diagnostic(written.location, &message, &label, help)));
+    }
     let (height, rise) = ends.map_or((0.0, 0.0), |[from, to]| (from.x, (to.x - from.x) / line.length));
     let first_wheel = usize::from(ends.is_some());
     for (wheel, arc) in line.arcs() {
@@ -102,6 +103,17 @@ pub fn curve(document: &Document, beam: &BeamSpec, written: &TightSpec) -> Resul
         [0, 1, 2].map(|i| Jet { value: value[i], first: first[i], second: second[i] })
     });
     Ok(Some(Curve::new(coordinates, range, limits)))
+}
+
+/// Refuses surfaces whose axes have different directions.
+fn of_one_direction(document: &Document, written: &TightSpec, rounds: &[Round<'_>]) -> Result<(), Box<Diagnostic>> {
+    let first = &rounds[0];
+    let sine = |round: &Round<'_>| round.axes.column(0).cross(&first.axes.column(0)).norm();
+    let Some(other) = rounds.iter().find(|round| sine(round) > SAME_DIRECTION) else { return Ok(()) };
+    let message = format!("the axes of surfaces {} and {} have different directions", first.spec.name, other.spec.name);
+    let label = format!("they are {:.3} degrees apart", sine(other).min(1.0).asin().to_degrees());
+    let help = "beam curves run over surfaces whose axes have one direction; give `points` instead";
+    Err(Box::new(document.diagnostic(written.location, &message, &label, help)))
 }
 
 /// A surface; none where a number is wrong.
@@ -153,6 +165,14 @@ fn outside(rounds: &[Round<'_>], axes: &Mat3) -> Vec<i64> {
     rounds.iter().map(|round| whole * sense(round)).collect()
 }
 
+/// The surface with the longest arc where a closed line makes a loop: its arcs are more than one whole turn.
+fn inside(line: &TightLine, rounds: &[Round<'_>]) -> Option<usize> {
+    let angles = || line.arcs().map(|(wheel, [begin, end])| (wheel, (end - begin) / rounds[wheel].radius));
+    let is_loop = angles().map(|(_, angle)| angle).sum::<f64>() > 1.5 * TAU;
+    let longest = angles().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(wheel, _)| wheel);
+    longest.filter(|_| is_loop)
+}
+
 /// How far the arc on a surface is from its middle where that is too far, m.
 fn beside(document: &Document, round: &Round<'_>, heights: [f64; 2]) -> Option<f64> {
     let half = match round.spec.shape {
@@ -177,6 +197,6 @@ fn no_way(document: &Document, beam: &BeamSpec, written: &TightSpec, span: usize
         }),
     };
     let message = format!("the curve of beam {} has no way from {from} to {to}", beam.name);
-    let label = "one of them is inside the other";
+    let label = "they overlap, or one of them is inside the other";
     document.diagnostic(written.location, &message, label, "move them apart, or take smaller radii")
 }
