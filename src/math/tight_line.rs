@@ -212,6 +212,19 @@ mod tests {
         }
     }
 
+    /// A line that touches a wheel without bending has no arc on it, in whatever direction round-off turns it: a whole
+    /// turn would be longer by `2πr`.
+    #[test]
+    fn wheels_that_are_only_touched_have_no_arc() {
+        for k in 0..200 {
+            let (sine, cosine) = (0.0314 * f64::from(k)).sin_cos();
+            let turned = |x: f64, y: f64| [x * cosine - y * sine, x * sine + y * cosine];
+            let [from, to] = [-1.0, 1.0].map(|x| wheel(turned(x, -0.1), 0.0, 0));
+            let line = TightLine::open(&[from, wheel([0.0; 2], 0.1, 0), to]).unwrap();
+            assert!((line.length - 2.0).abs() < 1e-8, "{k}: {}", line.length);
+        }
+    }
+
     #[test]
     fn wheels_inside_each_other_have_no_way() {
         let wheels = [wheel([0.0; 2], 0.0, 0), wheel([1.0, 0.0], 0.5, 0), wheel([1.2, 0.0], 0.1, 0)];

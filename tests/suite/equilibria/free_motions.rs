@@ -57,6 +57,12 @@ fn ropes_roll_about_themselves_without_a_word() {
         start(&text).take_warnings().concat()
     };
     assert_eq!([1e-4, 1e-1].map(told), ["", ""]);
+    // A straight bar of another section turns as a shaft does: that is told.
+    let bar = "format = 1\n[model]\nname = \"Bar\"\ngravity = [0, 0, 0]\n[section.s]\nshape = \"rigidities\"\nEA = 1e5\n\
+               EI_y = 1\nEI_z = 2\nGJ = 1\nline_density = 1\n[beam.bar]\nsection = \"s\"\nelements = 4\n\
+               from = [0, 0, 0]\nto = [1, 0, 0]\nfree_curvature = [0, 0]\n[simulation]\ninitial = \"equilibrium\"\n";
+    let held = joint("a", "spherical", "ground", "bar.start") + &joint("b", "spherical", "ground", "bar.end");
+    assert!(is_held(&start(&format!("{bar}{STATIC}\n{held}")).take_warnings().concat()));
 }
 
 /// The ends of a cable of 1 m come 0.4 m nearer to each other while it hangs: its sag with ball joints is that with
