@@ -56,51 +56,39 @@ struct Run {
 }
 
 impl TightLine {
-    /// The line from the first to the last wheel; both may be points.
+    /// The line from the first to the last wheel, of which both may be points. `closed`: around all wheels and back,
+    /// from the middle of the straight piece between the last and the first wheel; on a single wheel a circle.
     ///
     /// # Errors
     /// Two neighbors have no common tangent.
-    pub fn open(wheels: &[Wheel]) -> Result<Self, NoWay> {
-        let runs = wheels.windows(2).enumerate().map(|(k, pair)| run(&pair[0], &pair[1]).ok_or(NoWay(k)));
-        let runs = runs.collect::<Result<Vec<_>, _>>()?;
+    pub fn over(wheels: &[Wheel], closed: bool) -> Result<Self, NoWay> {
         let mut line = Self { pieces: Vec::new(), length: 0.0 };
-        for (k, run) in runs.iter().enumerate() {
-            if let Some(before) = k.checked_sub(1) {
-                line.add_arc(&wheels[k], k, runs[before].heading, run.heading);
-            }
-            line.add_run(position(&wheels[k], run.heading), *run);
-        }
-        Ok(line)
-    }
-
-    /// Around all wheels and back: from the middle of the straight piece between the last and the first wheel. On a
-    /// single wheel it is a circle.
-    ///
-    /// # Errors
-    /// Two neighbors have no common tangent.
-    pub fn closed(wheels: &[Wheel]) -> Result<Self, NoWay> {
-        let count = wheels.len();
-        let mut line = Self { pieces: Vec::new(), length: 0.0 };
-        if let [wheel] = wheels {
+        if let ([wheel], true) = (wheels, closed) {
             line.add(0.0, wheel.radius, TAU * wheel.radius.abs(), wheel.center, Some(0));
             return Ok(line);
         }
-        let between = |k: usize| run(&wheels[k], &wheels[(k + 1) % count]).ok_or(NoWay(k));
-        let runs = (0..count).map(between).collect::<Result<Vec<_>, _>>()?;
-        let last = runs[count - 1];
-        let half = Run { length: 0.5 * last.length, ..last };
-        let start = position(&wheels[count - 1], last.heading);
-        let (sine, cosine) = last.heading.sin_cos();
-        line.add_run([start[0] + half.length * cosine, start[1] + half.length * sine], half);
-        for k in 0..count {
-            line.add_arc(&wheels[k], k, runs[(k + count - 1) % count].heading, runs[k].heading);
-            line.add_run(position(&wheels[k], runs[k].heading), if k + 1 == count { half } else { runs[k] });
+        let count = wheels.len();
+        let mut before = None;
+        if closed {
+            let last = run(&wheels[count - 1], &wheels[0]).ok_or(NoWay(count - 1))?;
+            let half = 0.5 * last.length;
+            let [x, y] = touch(&wheels[count - 1], last.heading);
+            let (sine, cosine) = last.heading.sin_cos();
+            line.add(last.heading, 0.0, half, [x + half * cosine, y + half * sine], None);
+            before = Some(last);
+        }
+        let runs = if closed { count } else { count - 1 };
+        for k in 0..runs {
+            let next = run(&wheels[k], &wheels[(k + 1) % count]).ok_or(NoWay(k))?;
+            if let Some(before) = before {
+                line.add_arc(&wheels[k], k, before.heading, next.heading);
+            }
+            let is_last_half = closed && k + 1 == count;
+            let length = if is_last_half { 0.5 * next.length } else { next.length };
+            line.add(next.heading, 0.0, length, touch(&wheels[k], next.heading), None);
+            before = Some(next);
         }
         Ok(line)
-    }
-
-    fn add_run(&mut self, from: [f64; 2], run: Run) {
-        self.add(run.heading, 0.0, run.length, from, None);
     }
 
     /// The arc on a wheel between two headings, in the sense of its turn.
@@ -155,7 +143,7 @@ fn run(a: &Wheel, b: &Wheel) -> Option<Run> {
 }
 
 /// Where a line with this heading touches a wheel.
-fn position(wheel: &Wheel, heading: f64) -> [f64; 2] {
+fn touch(wheel: &Wheel, heading: f64) -> [f64; 2] {
     let (sine, cosine) = heading.sin_cos();
     [wheel.center[0] + wheel.radius * sine, wheel.center[1] - wheel.radius * cosine]
 }
@@ -189,7 +177,7 @@ mod tests {
         let crossed = 2.0 * distance * angle.cos() + (large + small) * (PI + 2.0 * angle);
         for (turns, length) in [([1.0, 1.0], open), ([-1.0, -1.0], open), ([1.0, -1.0], crossed)] {
             let wheels = [wheel([0.0; 2], small * turns[0], 0), wheel([distance, 0.0], large * turns[1], 0)];
-            let line = TightLine::closed(&wheels).unwrap();
+            let line = TightLine::over(&wheels, true).unwrap();
             assert!((line.length - length).abs() < 1e-14, "{turns:?}: {} for {length}", line.length);
             assert!(gap(&line) < 1e-9);
             let [first, last] = [0.0, line.length].map(|s| line.at(s));
@@ -203,7 +191,7 @@ mod tests {
     fn whole_turns_add_to_an_arc() {
         for laps in [0, 3] {
             let ends = [wheel([-1.0, -0.1], 0.0, 0), wheel([0.1, 1.0], 0.0, 0)];
-            let line = TightLine::open(&[ends[0], wheel([0.0; 2], 0.1, laps), ends[1]]).unwrap();
+            let line = TightLine::over(&[ends[0], wheel([0.0; 2], 0.1, laps), ends[1]], false).unwrap();
             let arc = 0.1 * (FRAC_PI_2 + TAU * f64::from(laps));
             assert!((line.length - (2.0 + arc)).abs() < 1e-14);
             assert!(gap(&line) < 1e-9);
@@ -220,7 +208,7 @@ mod tests {
             let (sine, cosine) = (0.0314 * f64::from(k)).sin_cos();
             let turned = |x: f64, y: f64| [x * cosine - y * sine, x * sine + y * cosine];
             let [from, to] = [-1.0, 1.0].map(|x| wheel(turned(x, -0.1), 0.0, 0));
-            let line = TightLine::open(&[from, wheel([0.0; 2], 0.1, 0), to]).unwrap();
+            let line = TightLine::over(&[from, wheel([0.0; 2], 0.1, 0), to], false).unwrap();
             assert!((line.length - 2.0).abs() < 1e-8, "{k}: {}", line.length);
         }
     }
@@ -228,6 +216,6 @@ mod tests {
     #[test]
     fn wheels_inside_each_other_have_no_way() {
         let wheels = [wheel([0.0; 2], 0.0, 0), wheel([1.0, 0.0], 0.5, 0), wheel([1.2, 0.0], 0.1, 0)];
-        assert_eq!(TightLine::open(&wheels), Err(NoWay(1)));
+        assert_eq!(TightLine::over(&wheels, false), Err(NoWay(1)));
     }
 }

@@ -17,9 +17,10 @@ impl Spell {
     pub(super) fn add(&mut self, difference: f64) {
         self.last.rotate_left(1);
         self.last[SPELL - 1] = difference;
-        let mut sorted = self.last;
-        sorted.sort_by(f64::total_cmp);
-        self.lasting = self.lasting.max(sorted[SPELL / 2]);
+        // The least one that at least half of them do not exceed.
+        let exceeds_half = |own: &f64| self.last.iter().filter(|other| *other <= own).count() > SPELL / 2;
+        let median = self.last.iter().copied().filter(exceeds_half).fold(f64::INFINITY, f64::min);
+        self.lasting = self.lasting.max(median);
     }
 
     /// The largest median so far.

@@ -56,20 +56,19 @@ pub fn curve(document: &Document, beam: &BeamSpec, written: &TightSpec) -> Resul
         Some([Some(from), Some(to)]) => Some([own(from), own(to)]),
         Some(_) => return Ok(None),
     };
-    let found = match ends {
-        None => TightLine::closed(&wheels.collect::<Vec<_>>()),
-        Some([from, to]) => {
-            let point = |end: Vec3| [Wheel { center: [end.y, end.z], radius: 0.0, laps: 0 }];
-            TightLine::open(&point(from).into_iter().chain(wheels).chain(point(to)).collect::<Vec<_>>())
-        }
-    };
-    let line = match found {
+    let mut wheels: Vec<Wheel> = wheels.collect();
+    if let Some([from, to]) = ends {
+        let point = |end: Vec3| Wheel { center: [end.y, end.z], radius: 0.0, laps: 0 };
+        wheels.insert(0, point(from));
+        wheels.push(point(to));
+    }
+    let line = match TightLine::over(&wheels, ends.is_none()) {
         Ok(line) => line,
-        Err(NoWay(span)) => return Err(Box::new(no_way(document, beam, written, span))),
+        Err(NoWay(span)) => return Err(no_way(document, beam, written, span)),
     };
     if !line.length.is_finite() {
         let message = format!("the curve of beam {} is too long to compute with", beam.name);
-        return Err(Box::new(document.diagnostic(written.location, &message, "these are too far away", "")));
+        return Err(mistake(document, written, &message, "these are too far away", ""));
     }
     if written.turns.is_none()
         && let Some(inside) = inside(&line, &rounds)
@@ -77,7 +76,7 @@ pub fn curve(document: &Document, beam: &BeamSpec, written: &TightSpec) -> Resul
         let message = format!("the curve of beam {} does not go around all surfaces from outside", beam.name);
         let label = format!("surface {} is not at the outside of them, in this order", rounds[inside].spec.name);
         let help = "list the surfaces as a belt around them meets them, or give the `turns`: 1 or -1 for each";
-        return Err(Box::new(document.diagnostic(written.location, &message, &label, help)));
+        return Err(mistake(document, written, &message, &label, help));
     }
     let (height, rise) = ends.map_or((0.0, 0.0), |[from, to]| (from.x, (to.x - from.x) / line.length));
     let first_wheel = usize::from(ends.is_some());
@@ -91,7 +90,7 @@ pub fn curve(document: &Document, beam: &BeamSpec, written: &TightSpec) -> Resul
                 Some(_) => "move `from` and `to` along the axis: between them the curve rises evenly",
                 None => "move the surfaces along their axes: a closed curve is in the plane of the first surface",
             };
-            return Err(Box::new(document.diagnostic(written.location, &message, &label, help)));
+            return Err(mistake(document, written, &message, &label, help));
         }
     }
     let (origin, range, limits) = (first.middle, [0.0, line.length], line.limits());
@@ -105,6 +104,12 @@ pub fn curve(document: &Document, beam: &BeamSpec, written: &TightSpec) -> Resul
     Ok(Some(Curve::new(coordinates, range, limits)))
 }
 
+/// A mistake of the surfaces that are written.
+#[cold]
+fn mistake(document: &Document, written: &TightSpec, message: &str, label: &str, help: &str) -> Box<Diagnostic> {
+    Box::new(document.diagnostic(written.location, message, label, help))
+}
+
 /// Refuses surfaces whose axes have different directions.
 fn of_one_direction(document: &Document, written: &TightSpec, rounds: &[Round<'_>]) -> Result<(), Box<Diagnostic>> {
     let first = &rounds[0];
@@ -113,7 +118,7 @@ fn of_one_direction(document: &Document, written: &TightSpec, rounds: &[Round<'_
     let message = format!("the axes of surfaces {} and {} have different directions", first.spec.name, other.spec.name);
     let label = format!("they are {:.3} degrees apart", sine(other).min(1.0).asin().to_degrees());
     let help = "beam curves run over surfaces whose axes have one direction; give `points` instead";
-    Err(Box::new(document.diagnostic(written.location, &message, &label, help)))
+    Err(mistake(document, written, &message, &label, help))
 }
 
 /// A surface; none where a number is wrong.
@@ -127,12 +132,7 @@ fn round<'a>(
     let Some(own) = spec.shape.winding_radius() else {
         let message = format!("beam {} cannot be wound around surface {}", beam.name, spec.name);
         let help = "`over` takes cylinders, from outside, and sheaves";
-        return Err(Box::new(document.diagnostic(
-            written.location,
-            &message,
-            "this surface has no outside to wind around",
-            help,
-        )));
+        return Err(mistake(document, written, &message, "this surface has no outside to wind around", help));
     };
     let distance = match written.radius {
         Some(radius) => document.value(radius),
@@ -185,7 +185,7 @@ fn beside(document: &Document, round: &Round<'_>, heights: [f64; 2]) -> Option<f
 }
 
 /// Two neighbors without a common tangent.
-fn no_way(document: &Document, beam: &BeamSpec, written: &TightSpec, span: usize) -> Diagnostic {
+fn no_way(document: &Document, beam: &BeamSpec, written: &TightSpec, span: usize) -> Box<Diagnostic> {
     let count = written.over.len();
     let name = |surface: usize| format!("surface {}", document.surfaces[written.over[surface]].name);
     let [from, to] = match written.ends {
@@ -198,5 +198,5 @@ fn no_way(document: &Document, beam: &BeamSpec, written: &TightSpec, span: usize
     };
     let message = format!("the curve of beam {} has no way from {from} to {to}", beam.name);
     let label = "they overlap, or one of them is inside the other";
-    document.diagnostic(written.location, &message, label, "move them apart, or take smaller radii")
+    mistake(document, written, &message, label, "move them apart, or take smaller radii")
 }
