@@ -68,25 +68,24 @@ impl TightLine {
             return Ok(line);
         }
         let count = wheels.len();
+        let last = if closed { count } else { count - 1 };
+        let between = |k: usize| run(&wheels[k], &wheels[(k + 1) % count]).ok_or(NoWay(k));
+        let runs = (0..last).map(between).collect::<Result<Vec<_>, _>>()?;
         let mut before = None;
         if closed {
-            let last = run(&wheels[count - 1], &wheels[0]).ok_or(NoWay(count - 1))?;
-            let half = 0.5 * last.length;
-            let [x, y] = touch(&wheels[count - 1], last.heading);
-            let (sine, cosine) = last.heading.sin_cos();
-            line.add(last.heading, 0.0, half, [x + half * cosine, y + half * sine], None);
-            before = Some(last);
+            let Run { heading, length } = runs[count - 1];
+            let [x, y] = touch(&wheels[count - 1], heading);
+            let (sine, cosine) = heading.sin_cos();
+            line.add(heading, 0.0, 0.5 * length, [x + 0.5 * length * cosine, y + 0.5 * length * sine], None);
+            before = Some(heading);
         }
-        let runs = if closed { count } else { count - 1 };
-        for k in 0..runs {
-            let next = run(&wheels[k], &wheels[(k + 1) % count]).ok_or(NoWay(k))?;
+        for (k, run) in runs.iter().enumerate() {
             if let Some(before) = before {
-                line.add_arc(&wheels[k], k, before.heading, next.heading);
+                line.add_arc(&wheels[k], k, before, run.heading);
             }
-            let is_last_half = closed && k + 1 == count;
-            let length = if is_last_half { 0.5 * next.length } else { next.length };
-            line.add(next.heading, 0.0, length, touch(&wheels[k], next.heading), None);
-            before = Some(next);
+            let length = if k + 1 == count { 0.5 * run.length } else { run.length };
+            line.add(run.heading, 0.0, length, touch(&wheels[k], run.heading), None);
+            before = Some(run.heading);
         }
         Ok(line)
     }
