@@ -5,10 +5,13 @@
 //! them (`mutual`). Sums over a system are in `system/contacts.rs` and `system/beam_contacts.rs`.
 
 pub mod axis;
+mod block;
+pub mod cone;
 pub mod grip;
 pub mod law;
 pub mod mutual;
 pub mod pieces;
+pub mod secant;
 pub mod shape;
 pub mod touch;
 

@@ -4,6 +4,9 @@
 //! distance of its axis. Over a step from `y₀` to `y₁` the force acts along the secant `n̄`, for which
 //! `n̄·(y₁ − y₀) = d(y₁) − d(y₀)` holds exactly: the contact then does as much work as its energy changes.
 
+use super::block;
+use super::cone::Cone;
+use super::secant::{NO_LENGTH, Secant, Share, across, axis_distance, in_meridian};
 use crate::math::{Mat3, Vec3};
 
 /// A shape.
@@ -34,6 +37,20 @@ pub enum Shape {
         /// Radius of the groove itself, m.
         groove: f64,
     },
+    /// A wire that is bent to a circle about x.
+    Ring {
+        /// Radius to the middle of the wire, m.
+        radius: f64,
+        /// Radius of the wire itself, m.
+        wire: f64,
+    },
+    /// A box with its middle at the origin.
+    Box {
+        /// Half its extents, m.
+        half: Vec3,
+    },
+    /// A cone about x.
+    Cone(Cone),
 }
 
 /// Share of the radius of curvature that a point may be inside a convex surface: deeper, it might leave on the other
@@ -41,35 +58,6 @@ pub enum Shape {
 const CORE: f64 = 0.5;
 /// How far from its bottom a sheave reaches, in radii of its groove.
 const RIM: f64 = 2.0;
-/// Lengths, over those of the shape, below which directions are round-off.
-const NO_LENGTH: f64 = 1e-300;
-
-/// A direction over a step, and its derivative with respect to the point at the end.
-#[derive(Clone, Copy, Debug)]
-pub struct Secant {
-    /// `n̄`; its length is not 1 where the normal turns over the step.
-    pub direction: Vec3,
-    /// `∂n̄/∂y₁`, 1/m.
-    pub by_end: Mat3,
-}
-
-/// `y` without its part along the axis.
-fn across(y: &Vec3) -> Vec3 {
-    Vec3::new(0.0, y.y, y.z)
-}
-
-/// Distance from the axis, m.
-fn axis_distance(y: &Vec3) -> f64 {
-    (y.y * y.y + y.z * y.z).sqrt()
-}
-
-/// The secant of `|y|` over a step between two vectors, and its derivative: `(y₀ + y₁)/(|y₀| + |y₁|)`.
-fn secant_of_norm(start: &Vec3, end: &Vec3) -> Secant {
-    let (length, sum) = (end.norm().max(NO_LENGTH), (start.norm() + end.norm()).max(NO_LENGTH));
-    let direction = (start + end) / sum;
-    Secant { direction, by_end: (Mat3::identity() - direction * (end / length).transpose()) / sum }
-}
-
 impl Shape {
     /// Distance of `y` from the surface, m; negative inside of what is solid; infinite where the surface is not.
     pub fn distance(&self, y: &Vec3) -> f64 {
@@ -88,6 +76,9 @@ impl Shape {
                     groove - (beyond * beyond + y.x * y.x).sqrt()
                 }
             }
+            Self::Ring { radius, wire } => from_wire(radius, y).norm() - wire,
+            Self::Box { half } => block::distance(&half, y),
+            Self::Cone(cone) => cone.distance(y),
         }
     }
 
@@ -100,7 +91,9 @@ impl Shape {
             Self::Sheave { radius, groove } => {
                 (axis_distance(y) - (radius + RIM * groove)).max(y.x.abs() - RIM * groove)
             }
-            Self::Plane | Self::Sphere { .. } => self.distance(y),
+            Self::Plane | Self::Sphere { .. } | Self::Ring { .. } | Self::Box { .. } | Self::Cone(_) => {
+                self.distance(y)
+            }
         }
     }
 
@@ -118,18 +111,24 @@ impl Shape {
     /// The direction from `start` to `end`.
     pub fn secant(&self, start: &Vec3, end: &Vec3) -> Secant {
         match *self {
-            Self::Plane => Secant { direction: Vec3::x(), by_end: Mat3::zeros() },
+            Self::Plane => Secant::constant(Vec3::x()),
             Self::Cylinder { inside, .. } => {
-                let Secant { direction, by_end } = secant_of_norm(&across(start), &across(end));
+                let Secant { direction, by_end } = Secant::of_norm(&across(start), &across(end));
                 // Along the axis nothing changes.
                 let along = Mat3::from_diagonal(&Vec3::new(0.0, 1.0, 1.0));
                 Secant { direction: direction * outwards(inside), by_end: by_end * along * outwards(inside) }
             }
             Self::Sphere { inside, .. } => {
-                let Secant { direction, by_end } = secant_of_norm(start, end);
+                let Secant { direction, by_end } = Secant::of_norm(start, end);
                 Secant { direction: direction * outwards(inside), by_end: by_end * outwards(inside) }
             }
             Self::Sheave { radius, groove } => secant_of_groove(radius + groove, start, end),
+            Self::Ring { radius, .. } => {
+                let inner = Secant::of_norm(&from_wire(radius, start), &from_wire(radius, end));
+                Secant::of_meridian(start, end, &inner)
+            }
+            Self::Box { half } => block::secant(&half, start, end),
+            Self::Cone(cone) => cone.secant(start, end),
         }
     }
 
@@ -152,14 +151,21 @@ impl Shape {
             Self::Sheave { radius, groove } => {
                 start.x.abs().min(end.x.abs()) < groove && nearest(across(start), across(end)) < CORE * radius
             }
+            Self::Ring { radius, wire } => nearest(from_wire(radius, start), from_wire(radius, end)) < CORE * wire,
+            Self::Box { half } => block::is_crossed(&(half * CORE), start, end),
+            Self::Cone(cone) => cone.is_crossed(CORE, start, end),
         }
     }
 
-    /// The least radius of curvature of what is convex, m; infinite of what is not.
+    /// How large is what a beam could run through, m: the least radius of curvature of what is convex, half the least
+    /// extent of a box, the radius in the middle of a cone; infinite of what has no other side.
     pub fn radius(&self) -> f64 {
         match *self {
             Self::Plane | Self::Cylinder { inside: true, .. } | Self::Sphere { inside: true, .. } => f64::INFINITY,
             Self::Cylinder { radius, .. } | Self::Sphere { radius, .. } | Self::Sheave { radius, .. } => radius,
+            Self::Ring { wire, .. } => wire,
+            Self::Box { half } => half.min(),
+            Self::Cone(cone) => cone.mean_radius(),
         }
     }
 }
@@ -169,45 +175,46 @@ fn outwards(inside: bool) -> f64 {
     if inside { -1.0 } else { 1.0 }
 }
 
+/// The place of `y` in the plane through the axis, from the middle of a wire that is bent about it.
+fn from_wire(radius: f64, y: &Vec3) -> Vec3 {
+    in_meridian(y) - Vec3::y() * radius
+}
+
 /// The secant of the distance from a groove whose middle runs at `pitch`: that of the distance from the middle, by the
 /// chain of the secants of the distance from the axis and of the distance from the middle of the groove.
 fn secant_of_groove(pitch: f64, start: &Vec3, end: &Vec3) -> Secant {
-    let radial = secant_of_norm(&across(start), &across(end));
     // Above the middle of the groove its sides are flat.
-    let in_groove = |y: &Vec3| Vec3::new(y.x, (axis_distance(y) - pitch).min(0.0), 0.0);
-    let [first, last] = [in_groove(start), in_groove(end)];
-    let Secant { direction: inner, by_end: inner_by_end } = secant_of_norm(&first, &last);
-    // Share of the way along the radius that lies below the middle.
-    let [below, whole] = [last.y - first.y, axis_distance(end) - axis_distance(start)];
-    let share = if whole == 0.0 { f64::from(first.y < 0.0) } else { below / whole };
-    let end_radius = axis_distance(end).max(NO_LENGTH);
-    let out = across(end) / end_radius;
-    let is_below = f64::from(last.y < 0.0);
-    let share_by_end = if whole == 0.0 { 0.0 } else { (is_below - share) / whole };
-    // Derivatives of `(x, min(ρ − pitch, 0))` at the end.
-    let first_row = inner_by_end.column(0) * Vec3::x().transpose();
-    let second_row = inner_by_end.column(1) * (out * is_below).transpose();
-    let inner_by_place: Mat3 = first_row + second_row;
-    let by_radius = inner.y * share;
-    let mut by_end = Mat3::zeros();
-    by_end.set_row(0, &inner_by_place.row(0));
-    by_end += radial.direction * inner_by_place.row(1) * share;
-    by_end += radial.direction * out.transpose() * (inner.y * share_by_end);
-    by_end += radial.by_end * Mat3::from_diagonal(&Vec3::new(0.0, 1.0, 1.0)) * by_radius;
-    Secant { direction: -(Vec3::x() * inner.x + radial.direction * by_radius), by_end: -by_end }
+    let [first, last] = [start, end].map(|y| pitch - axis_distance(y));
+    let in_groove = |y: &Vec3, below: f64| Vec3::new(y.x, -below.max(0.0), 0.0);
+    let mut inner = Secant::of_norm(&in_groove(start, first), &in_groove(end, last));
+    let Share { share, by_end } = Share::over(first, last);
+    let slope = Vec3::new(1.0, f64::from(last > 0.0), 0.0);
+    inner.by_end *= Mat3::from_diagonal(&slope);
+    inner.by_end.row_mut(1).scale_mut(share);
+    inner.by_end[(1, 1)] -= inner.direction.y * by_end;
+    inner.direction.y *= share;
+    let Secant { direction, by_end } = Secant::of_meridian(start, end, &inner);
+    Secant { direction: -direction, by_end: -by_end }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const SHAPES: [Shape; 6] = [
+    const SHAPES: [Shape; 11] = [
         Shape::Plane,
         Shape::Cylinder { radius: 0.3, half_length: 1.0, inside: false },
         Shape::Cylinder { radius: 0.3, half_length: 1.0, inside: true },
         Shape::Sphere { radius: 0.3, inside: false },
         Shape::Sphere { radius: 0.3, inside: true },
         Shape::Sheave { radius: 0.25, groove: 0.05 },
+        Shape::Ring { radius: 0.25, wire: 0.05 },
+        // Ways from its faces, edges and corners, and inside of it.
+        Shape::Box { half: Vec3::new(0.0062, 0.1, 0.17) },
+        Shape::Box { half: Vec3::new(0.5, 0.26, 0.28) },
+        Shape::Cone(Cone { radii: [0.3, 0.25], half_length: 0.02 }),
+        // Its tip is not far.
+        Shape::Cone(Cone { radii: [0.0, 0.5], half_length: 0.5 }),
     ];
 
     fn pairs() -> impl Iterator<Item = [Vec3; 2]> {
@@ -250,6 +257,47 @@ mod tests {
         }
     }
 
+    /// The point that is a distance away along the normal lies on the surface: to round-off.
+    #[test]
+    fn distances_are_those_of_the_nearest_point() {
+        for shape in SHAPES {
+            for [start, _] in pairs() {
+                let normal = shape.normal(&start);
+                assert!((normal.norm() - 1.0).abs() < 1e-14, "{shape:?} {start:?}: {normal:?}");
+                let foot = start - normal * shape.distance(&start);
+                assert!(shape.distance(&foot).abs() < 1e-14, "{shape:?} {start:?}: {foot:?}");
+            }
+        }
+    }
+
+    /// Faces, edges, corners and tips: distances from them by Pythagoras.
+    #[test]
+    fn corners_are_sharp() {
+        let cube = Shape::Box { half: Vec3::new(1.0, 2.0, 3.0) };
+        let tip = Shape::Cone(Cone { radii: [1.0, 0.0], half_length: 2.0 });
+        let widening = Shape::Cone(Cone { radii: [1.0, 3.0], half_length: 1.0 });
+        for (shape, y, exact) in [
+            (cube, [1.5, 1.0, -2.0], 0.5),
+            (cube, [1.0 + 3.0, 2.0 + 4.0, 0.0], 5.0),
+            (cube, [-1.0 - 2.0, 2.0 + 3.0, -3.0 - 6.0], 7.0),
+            (cube, [0.5, 1.7, 0.0], -0.3),
+            (tip, [2.5, 0.0, 0.0], 0.5),
+            (tip, [2.4, 0.2, -0.2], 0.4_f64.hypot(0.08_f64.sqrt())),
+            (tip, [-3.0, 0.6, 0.8], 1.0),
+            (tip, [-2.4, 1.3, 0.0], 0.5),
+            // Half the radius from the axis, in the middle: on the side.
+            (tip, [0.0, 0.3, 0.4], 0.0),
+            (tip, [0.0, 0.0, 0.0], -2.0 / 17_f64.sqrt()),
+            (widening, [1.5, 2.9, 0.0], 0.5),
+            (widening, [1.3, 0.0, 3.4], 0.5),
+            (widening, [0.0, 3.0, 0.0], 0.5_f64.sqrt()),
+            (widening, [0.9, 0.1, 0.0], -0.1),
+        ] {
+            let found = shape.distance(&Vec3::from(y));
+            assert!((found - exact).abs() < 1e-14, "{shape:?} {y:?}: {found} {exact}");
+        }
+    }
+
     /// A point that has passed through the middle of a cylinder is told.
     #[test]
     fn the_core() {
@@ -257,5 +305,28 @@ mod tests {
         let [start, near, far] = [[0.0, 0.31, 0.0], [0.0, 0.2, 0.0], [0.0, -0.31, 0.1]].map(Vec3::from);
         assert!(!shape.is_run_through(&start, &near));
         assert!(shape.is_run_through(&start, &far));
+    }
+
+    /// Ways along and through shapes with two sides; through the hole of a ring there is nothing.
+    #[test]
+    fn cores_of_rings_boxes_and_cones() {
+        let ring = Shape::Ring { radius: 0.3, wire: 0.02 };
+        let plate = Shape::Box { half: Vec3::new(0.5, 0.5, 0.01) };
+        let cone = Shape::Cone(Cone { radii: [0.2, 0.0], half_length: 0.3 });
+        for (shape, start, end, crosses) in [
+            (ring, [0.04, 0.3, 0.0], [-0.04, 0.3, 0.005], true),
+            (ring, [0.04, 0.3, 0.0], [-0.04, 0.33, 0.0], false),
+            (ring, [0.04, 0.1, 0.0], [-0.04, 0.1, 0.0], false),
+            (plate, [0.1, 0.2, 0.03], [0.1, 0.2, -0.03], true),
+            (plate, [0.1, 0.2, 0.03], [0.3, 0.2, 0.006], false),
+            (plate, [0.3, 0.2, 0.03], [0.3, 0.2, -0.03], false),
+            (cone, [-0.1, 0.2, 0.0], [-0.1, -0.2, 0.05], true),
+            (cone, [-0.1, 0.2, 0.0], [-0.1, 0.1, 0.0], false),
+            (cone, [0.4, 0.0, 0.0], [0.0, 0.0, 0.0], true),
+            (cone, [0.2, 0.1, 0.0], [0.2, -0.1, 0.0], false),
+        ] {
+            let found = shape.is_run_through(&Vec3::from(start), &Vec3::from(end));
+            assert_eq!(found, crosses, "{shape:?} {start:?} {end:?}");
+        }
     }
 }

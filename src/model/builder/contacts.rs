@@ -1,6 +1,8 @@
 //! Contacts of the file as parts of the system.
 
 use super::Builder;
+use crate::math::Vec3;
+use crate::mechanics::contact::cone::Cone;
 use crate::mechanics::contact::grip::Friction;
 use crate::mechanics::contact::law::Law;
 use crate::mechanics::contact::shape::Shape;
@@ -64,6 +66,14 @@ impl Builder<'_> {
             surface::Shape::Sheave { radius, groove, .. } => {
                 Shape::Sheave { radius: document.value(radius), groove: document.value(groove) }
             }
+            surface::Shape::Ring { radius, wire, .. } => {
+                Shape::Ring { radius: document.value(radius), wire: document.value(wire) }
+            }
+            surface::Shape::Box { size, .. } => Shape::Box { half: Vec3::from(document.vector(size)) * 0.5 },
+            surface::Shape::Cone { radii, length, .. } => Shape::Cone(Cone {
+                radii: radii.map(|radius| document.value(radius)),
+                half_length: 0.5 * document.value(length),
+            }),
         };
         Surface { name: String::new(), marker, shape }
     }
@@ -97,9 +107,13 @@ fn law(document: &Document, written: &ContactSpec, beam: usize, shape: &Shape) -
                 Shape::Cylinder { radius, .. } | Shape::Sphere { radius, .. } | Shape::Sheave { radius, .. } => {
                     ROUND_SHARE * axial / (radius * radius)
                 }
-                Shape::Plane if radius > 0.0 => axial / (FLAT_RADII * radius).powi(2),
+                // Thin beams bend around the wire of a ring, and around a cone about as around its middle.
+                Shape::Ring { .. } | Shape::Cone(_) => ROUND_SHARE * axial / (shape.radius() * shape.radius()),
+                Shape::Plane | Shape::Box { .. } if radius > 0.0 => axial / (FLAT_RADII * radius).powi(2),
                 // A line without thickness has its gyration alone.
-                Shape::Plane => axial / section.gyration().max(f64::MIN_POSITIVE).powi(2) / FLAT_RADII.powi(2),
+                Shape::Plane | Shape::Box { .. } => {
+                    axial / section.gyration().max(f64::MIN_POSITIVE).powi(2) / FLAT_RADII.powi(2)
+                }
             }
         },
         |stiffness| document.value(stiffness),

@@ -20,7 +20,12 @@ impl Builder<'_> {
                 let of_surface = match spec.shape {
                     Shape::Sheave { radius, .. } | Shape::Cylinder { radius, .. } => document.value(radius),
                     // The file is refused.
-                    Shape::Plane(_) | Shape::Sphere { .. } | Shape::Bottom { .. } => 0.0,
+                    Shape::Plane(_)
+                    | Shape::Sphere { .. }
+                    | Shape::Ring { .. }
+                    | Shape::Box { .. }
+                    | Shape::Cone { .. }
+                    | Shape::Bottom { .. } => 0.0,
                 };
                 let wheel = Wheel { radius: of_surface + radius, turn: turn as f64 };
                 (spec.name.clone(), self.surface(spec).marker, wheel)

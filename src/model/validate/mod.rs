@@ -28,6 +28,7 @@ use super::file::entries::load;
 use super::file::entries::material::Lateral;
 use super::file::entries::simulation::{Analysis, IntegratorSpec};
 use super::file::entries::stop::StopSpec;
+use super::file::entries::surface::Shape;
 use super::file::number::Number;
 use super::file::reader::anchor::{Along, Anchor, Spot};
 use super::flat::{self, Files};
@@ -114,6 +115,11 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
     for point in &document.points {
         checker.check_axes(&format!("point {}", point.name), "point", point.axes);
         checker.fraction(&point.on);
+    }
+    for surface in &document.surfaces {
+        if let Shape::Box { axes, .. } = surface.shape {
+            checker.check_axes(&format!("surface {}", surface.name), "box", axes);
+        }
     }
     for joint in &document.joints {
         checker.check_joint(joint);

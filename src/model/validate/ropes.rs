@@ -20,6 +20,9 @@ impl Checker<'_> {
                 Shape::Plane(_) => "is a plane",
                 Shape::Bottom { .. } => "is the seabed",
                 Shape::Sphere { .. } => "is a sphere",
+                Shape::Ring { .. } => "is a ring",
+                Shape::Box { .. } => "is a box",
+                Shape::Cone { .. } => "is a cone",
                 Shape::Cylinder { inside: true, .. } => "is the inside of a cylinder",
                 Shape::Sheave { groove, .. } if document.value(groove) < document.value(rope.radius) => {
                     "has a groove that is smaller than the rope"

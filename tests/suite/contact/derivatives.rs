@@ -23,13 +23,18 @@ fn model(surface: &str, friction: &str) -> String {
 
 /// All of the beam is inside: pieces that end where the gap is 0 move with the beam, and a rule of three points is not
 /// exact for them.
-const SURFACES: [&str; 6] = [
+const SURFACES: [&str; 10] = [
     "shape = \"plane\"\nnormal = [0.1, 0, 1]\noffset = [0, 0, 0.4]",
     "shape = \"cylinder\"\naxis = [0.1, 1, 0]\nradius = 0.7\non = \"cart\"",
     "shape = \"cylinder\"\naxis = [0.1, 1, 0]\nradius = 0.7\non = \"wheel\"",
     "shape = \"sphere\"\nradius = 0.7\non = \"wheel\"\noffset = [0.01, -0.1, 0]",
     "shape = \"cylinder\"\naxis = [1, 0, 0.05]\nradius = 0.2\ninside = true\non = \"wheel\"",
     "shape = \"sheave\"\naxis = [0, 1, 0]\nradius = 0.7\ngroove = 0.2\non = \"wheel\"",
+    "shape = \"ring\"\naxis = [0.1, 1, 0]\nradius = 1\nwire = 0.4\non = \"wheel\"\noffset = [0, -0.25, -0.7]",
+    "shape = \"cone\"\naxis = [0.1, 1, 0]\nradius = 0.5\nend_radius = 0.9\nlength = 0.8\non = \"wheel\"",
+    // An edge along the beam, 18 mm from its axis.
+    "shape = \"box\"\nsize = [1.2, 0.5, 0.5]\naxes = [[0.998890737, 0.033296358, 0.033296358], [-0.033314830, 0.999444907, 0.000000000], [-0.033277875, -0.001109263, 0.999445523]]\noffset = [0.067514, -0.226562, 0.031146]\non = \"cart\"",
+    "shape = \"box\"\nsize = [1.5, 1, 1]\non = \"wheel\"",
 ];
 
 /// The forces of contact alone, and the tangent of all forces.

@@ -5,6 +5,7 @@ mod derivatives;
 mod energy;
 mod friction;
 mod messages;
+mod shapes;
 mod sheave;
 mod states;
 mod statics;

@@ -2,7 +2,7 @@
 //! `[contact.NAME]` says so.
 
 use super::Parts;
-use crate::math::rotation::triad_along;
+use crate::math::rotation::{triad_along, triad_of};
 use crate::math::{Mat3, Vec3};
 use crate::model::file::number::{Number, Numbers};
 use crate::model::file::reader::Reader;
@@ -20,22 +20,40 @@ pub(super) const KEYS: &[Key] = &[
     Key::global(&[&NORMAL], Role::Direction),
     Key::global(&[&AXIS], Role::Direction),
     Key::number(&[&RADIUS]),
-    Key::number(&[&LENGTH]),
+    Key::number(&[&LENGTH, &CONE_LENGTH]),
     Key::number(&[&GROOVE]),
+    Key::number(&[&WIRE]),
+    Key::list(&[&SIZE], "3"),
+    Key::global(&[&AXES], Role::Axes),
+    Key::number(&[&END_RADIUS]),
     Key::flag("inside", "true: beams touch the cylinder or the sphere from inside"),
 ];
 
 const OFFSET: Rule = Rule::new(
     "offset",
-    "point of the plane, middle of the cylinder or sheave, center of the sphere, in the axes of what it is on",
+    "point of the plane, center of the sphere, middle of any other shape, in the axes of what it is on",
     "m",
 );
 const NORMAL: Rule = Rule::new("normal", "normal of the plane as drawn, global, towards what may touch it", "");
-const AXIS: Rule = Rule::new("axis", "axis of the cylinder or sheave as drawn, global", "");
-const RADIUS: Rule =
-    Rule::new("radius", "radius of the surface; of a sheave to the bottom of its groove", "m").above(0.0);
+const AXIS: Rule = Rule::new(
+    "axis",
+    "axis of the cylinder, sheave, ring or cone as drawn, global; of a cone from `radius` to `end_radius`",
+    "",
+);
+const RADIUS: Rule = Rule::new(
+    "radius",
+    "radius of the surface; of a sheave to the bottom of its groove, of a ring to the middle of its wire, of a cone at \
+     the start of its axis",
+    "m",
+)
+.above(0.0);
 const LENGTH: Rule =
     Rule::new("length", "length of the cylinder; without it, the cylinder has no ends", "m").above(0.0);
+const CONE_LENGTH: Rule = Rule::new("length", "length of the cone along its axis", "m").above(0.0);
+const WIRE: Rule = Rule::new("wire", "radius of the wire of a ring, less than that of the ring", "m").above(0.0);
+const SIZE: Rule = Rule::new("size", "extents of the box along its axes", "m").above(0.0);
+const AXES: Rule = Rule::new("axes", "axes of the box as drawn, global, one per row; by default the global ones", "");
+const END_RADIUS: Rule = Rule::new("end_radius", "radius of the cone at the end of its axis; 0: a tip", "m").from(0.0);
 const GROOVE: Rule =
     Rule::new("groove", "radius of the groove of a sheave, in a section along its axis", "m").above(0.0);
 
@@ -48,7 +66,7 @@ pub struct SurfaceSpec {
     pub place: Place,
     /// The ground, a body or a frame.
     pub on: Spot,
-    /// A point of the plane, the middle of the cylinder, the center of the sphere: relative to `on`, in the axes of
+    /// A point of the plane, the center of the sphere, the middle of any other shape: relative to `on`, in the axes of
     /// that, m; none: of the bottom.
     pub offset: Option<[Number; 3]>,
     /// The shape.
@@ -87,6 +105,31 @@ pub enum Shape {
         /// Radius of the groove, m.
         groove: Number,
     },
+    /// A wire that is bent to a circle.
+    Ring {
+        /// The direction of its axis.
+        axis: [Number; 3],
+        /// Radius to the middle of the wire, m.
+        radius: Number,
+        /// Radius of the wire, m.
+        wire: Number,
+    },
+    /// A box.
+    Box {
+        /// Its extents, m.
+        size: [Number; 3],
+        /// Their directions, one per row; none: the global axes.
+        axes: Option<[[Number; 3]; 3]>,
+    },
+    /// A cone with flat ends, or with a tip.
+    Cone {
+        /// Its direction.
+        axis: [Number; 3],
+        /// Radii at its start and at its end, m.
+        radii: [Number; 2],
+        /// m.
+        length: Number,
+    },
     /// The bottom of the water, below the origin at a depth.
     Bottom {
         /// Height of the still water, m.
@@ -99,11 +142,16 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The radius of what beams wind around; none: it is flat, or they do not.
-    pub fn winding_radius(&self) -> Option<Number> {
-        match self {
-            Self::Cylinder { radius, inside: false, .. } | Self::Sheave { radius, .. } => Some(*radius),
-            Self::Plane(_) | Self::Cylinder { .. } | Self::Sphere { .. } | Self::Bottom { .. } => None,
+    /// The radius of what beams wind around, m; none: it is flat, or they do not. A ring's is that of its wire, a cone's
+    /// that in its middle.
+    pub fn winding_radius(&self, value: impl Fn(Number) -> f64) -> Option<f64> {
+        match *self {
+            Self::Cylinder { radius, inside: false, .. } | Self::Sheave { radius, .. } => Some(value(radius)),
+            Self::Ring { wire, .. } => Some(value(wire)),
+            Self::Cone { radii: [start, end], .. } => Some(0.5 * (value(start) + value(end))),
+            Self::Plane(_) | Self::Cylinder { .. } | Self::Sphere { .. } | Self::Box { .. } | Self::Bottom { .. } => {
+                None
+            }
         }
     }
 }
@@ -114,10 +162,48 @@ enum Word {
     Cylinder,
     Sphere,
     Sheave,
+    Ring,
+    Box,
+    Cone,
 }
 
-const SHAPES: [(&str, Word); 4] =
-    [("plane", Word::Plane), ("cylinder", Word::Cylinder), ("sphere", Word::Sphere), ("sheave", Word::Sheave)];
+impl Shape {
+    fn read(word: Word, reader: &mut Reader<'_, '_>) -> Self {
+        match word {
+            Word::Plane => Self::Plane(reader.vector(&NORMAL)),
+            Word::Cylinder => {
+                let (axis, radius) = (reader.vector(&AXIS), reader.number(&RADIUS));
+                let (length, inside) = (reader.optional(&LENGTH), reader.boolean("inside", false));
+                Self::Cylinder { axis, radius, length, inside }
+            }
+            Word::Sphere => Self::Sphere { radius: reader.number(&RADIUS), inside: reader.boolean("inside", false) },
+            Word::Sheave => {
+                let axis = reader.vector(&AXIS);
+                Self::Sheave { axis, radius: reader.number(&RADIUS), groove: reader.number(&GROOVE) }
+            }
+            Word::Ring => {
+                let axis = reader.vector(&AXIS);
+                Self::Ring { axis, radius: reader.number(&RADIUS), wire: reader.number(&WIRE) }
+            }
+            Word::Box => Self::Box { size: reader.vector(&SIZE), axes: reader.table(&AXES) },
+            Word::Cone => {
+                let axis = reader.vector(&AXIS);
+                let radii = [reader.number(&RADIUS), reader.number(&END_RADIUS)];
+                Self::Cone { axis, radii, length: reader.number(&CONE_LENGTH) }
+            }
+        }
+    }
+}
+
+const SHAPES: [(&str, Word); 7] = [
+    ("plane", Word::Plane),
+    ("cylinder", Word::Cylinder),
+    ("sphere", Word::Sphere),
+    ("sheave", Word::Sheave),
+    ("ring", Word::Ring),
+    ("box", Word::Box),
+    ("cone", Word::Cone),
+];
 
 /// Parts that a surface can be fixed to.
 const CARRIERS: Allowed = Allowed { kinds: &[Kind::Body, Kind::Frame], ground: true, forms: "ground, BODY or FRAME" };
@@ -136,19 +222,7 @@ impl SurfaceSpec {
             reader.abandon();
             return None;
         };
-        let shape = match word {
-            Word::Plane => Shape::Plane(reader.vector(&NORMAL)),
-            Word::Cylinder => {
-                let (axis, radius) = (reader.vector(&AXIS), reader.number(&RADIUS));
-                let (length, inside) = (reader.optional(&LENGTH), reader.boolean("inside", false));
-                Shape::Cylinder { axis, radius, length, inside }
-            }
-            Word::Sphere => Shape::Sphere { radius: reader.number(&RADIUS), inside: reader.boolean("inside", false) },
-            Word::Sheave => {
-                let axis = reader.vector(&AXIS);
-                Shape::Sheave { axis, radius: reader.number(&RADIUS), groove: reader.number(&GROOVE) }
-            }
-        };
+        let shape = Shape::read(word, &mut reader);
         reader.finish();
         Some(Self { name: name.to_owned(), place, on: on?, offset, shape })
     }
@@ -160,16 +234,22 @@ impl SurfaceSpec {
             return triad_along(&Vec3::new(-along_x, -along_y, 1.0));
         }
         let vector = |direction: [Number; 3]| Vec3::from(direction.map(|number| numbers.value(number)));
+        if let Shape::Box { axes: Some(rows), .. } = self.shape {
+            let [first, second, _] = rows.map(vector);
+            return triad_of(&first, &second);
+        }
         self.direction().map_or_else(Mat3::identity, |direction| triad_along(&vector(direction)))
     }
 
-    /// The direction of its normal or axis, global, as drawn; of a sphere none.
+    /// The direction of its normal or axis, global, as drawn; of a sphere and a box none.
     fn direction(&self) -> Option<[Number; 3]> {
         match self.shape {
             Shape::Plane(direction)
             | Shape::Cylinder { axis: direction, .. }
-            | Shape::Sheave { axis: direction, .. } => Some(direction),
-            Shape::Sphere { .. } | Shape::Bottom { .. } => None,
+            | Shape::Sheave { axis: direction, .. }
+            | Shape::Ring { axis: direction, .. }
+            | Shape::Cone { axis: direction, .. } => Some(direction),
+            Shape::Sphere { .. } | Shape::Box { .. } | Shape::Bottom { .. } => None,
         }
     }
 
@@ -183,8 +263,14 @@ impl SurfaceSpec {
         }
     }
 
-    /// A normal or an axis without a direction.
+    /// A normal or an axis without a direction, a ring without a hole.
     pub(super) fn objection(&self, value: impl Fn(Number) -> f64) -> Option<(Number, String)> {
+        if let Shape::Ring { radius, wire, .. } = self.shape
+            && value(wire) >= value(radius)
+        {
+            let text = format!("must be less than `radius`, which is {} m: the ring has no hole", value(radius));
+            return Some((wire, text));
+        }
         let direction = self.direction()?;
         let is_zero = direction.iter().all(|number| value(*number) == 0.0);
         is_zero.then(|| (direction[0], String::from("must have a direction: one of its components must not be 0")))
@@ -209,6 +295,7 @@ const RINGS: usize = 13;
 impl SurfaceSpec {
     /// The surface for pictures; what has no ends is as large as `size`, m.
     pub fn mesh(&self, numbers: &Numbers, size: f64) -> Mesh {
+        let value = |number: Number| numbers.value(number);
         match self.shape {
             Shape::Plane(_) | Shape::Bottom { .. } => {
                 let half = 0.5 * size;
@@ -216,22 +303,38 @@ impl SurfaceSpec {
                 Mesh { corners, faces: vec![vec![0, 1, 2, 3]] }
             }
             Shape::Cylinder { radius, length, .. } => {
-                let half = 0.5 * length.map_or(size, |length| numbers.value(length));
-                rings([-half, half].map(|x| [x, numbers.value(radius)]))
+                let half = 0.5 * length.map_or(size, |length| value(length));
+                rings([-half, half].map(|x| [x, value(radius)]))
             }
             Shape::Sphere { radius, .. } => rings((0..RINGS).map(|ring| {
                 let (sine, cosine) = (PI * ring as f64 / (RINGS - 1) as f64).sin_cos();
-                [-cosine, sine].map(|part| part * numbers.value(radius))
+                [-cosine, sine].map(|part| part * value(radius))
             })),
             Shape::Sheave { radius, groove, .. } => {
-                let (radius, groove) = (numbers.value(radius), numbers.value(groove));
+                let (radius, groove) = (value(radius), value(groove));
                 rings((0..RINGS).map(|ring| {
                     let (sine, cosine) = (PI * ring as f64 / (RINGS - 1) as f64).sin_cos();
                     [-cosine * groove, radius + groove * (1.0 - sine)]
                 }))
             }
+            Shape::Ring { radius, wire, .. } => rings((0..=SIDES).map(|ring| {
+                let (sine, cosine) = (TAU * ring as f64 / SIDES as f64).sin_cos();
+                [sine * value(wire), value(radius) + cosine * value(wire)]
+            })),
+            Shape::Box { size, .. } => block(size.map(|number| 0.5 * value(number))),
+            Shape::Cone { radii, length, .. } => {
+                let (half, [start, end]) = (0.5 * value(length), radii.map(value));
+                rings([[-half, 0.0], [-half, start], [half, end], [half, 0.0]])
+            }
         }
     }
+}
+
+/// A box that reaches as far as `half` from its middle.
+fn block(half: [f64; 3]) -> Mesh {
+    let corner = |number: usize| [0, 1, 2].map(|axis| if number >> axis & 1 == 1 { half[axis] } else { -half[axis] });
+    let faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+    Mesh { corners: (0..8).map(corner).collect(), faces: faces.map(Vec::from).to_vec() }
 }
 
 /// The surface through rings about x, of which each has its position along x and its radius.
