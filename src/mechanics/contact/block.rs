@@ -43,6 +43,17 @@ impl Face {
     }
 }
 
+/// A number of the face, the edge or the corner that `y` is nearest to; inside of what face it is under.
+pub(super) fn part(half: &Vec3, y: &Vec3) -> usize {
+    let face = Face::nearest(half, y);
+    let digit = |axis: usize| match face.height > 0.0 {
+        true => usize::from(y[axis] > half[axis]) + 2 * usize::from(y[axis] < -half[axis]),
+        false if axis == face.axis => 1 + usize::from(face.sign < 0.0),
+        false => 0,
+    };
+    digit(0) + 3 * (digit(1) + 3 * digit(2))
+}
+
 /// The secant of the distance.
 pub(super) fn secant(half: &Vec3, start: &Vec3, end: &Vec3) -> Secant {
     let (out, depth) = (secant_outside(half, start, end), secant_of_depth(half, start, end));

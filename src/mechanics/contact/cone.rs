@@ -89,6 +89,15 @@ impl Cone {
         self.local(self.nearest(&place), &place).value
     }
 
+    /// A number of what is nearest to `y`.
+    pub(super) fn part(&self, y: &Vec3) -> usize {
+        match self.nearest(&in_meridian(y)) {
+            Part::Side => 0,
+            Part::Face(end) => 1 + end,
+            Part::Edge(end) => 3 + end,
+        }
+    }
+
     /// The secant of the distance.
     pub(super) fn secant(&self, start: &Vec3, end: &Vec3) -> Secant {
         let places = [start, end].map(in_meridian);

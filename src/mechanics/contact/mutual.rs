@@ -246,7 +246,7 @@ impl BeamContact {
         let middle = other.arc(elements[1], 0.5);
         let gap = |end: usize, xi: f64| self.gap(&axes[end], middle, &lying[end].point(xi), own.arc(elements[0], xi));
         let gaps: [Gap; 2] = [&|xi| gap(0, xi), &|xi| gap(1, xi)];
-        each_point(&gaps, lying[1].length, &mut |_, xi, share| {
+        each_point(&gaps, &[], lying[1].length, &mut |_, xi, share| {
             let points = lying.map(|own| own.point(xi));
             let last = axes[1].nearest(&points[1], middle);
             let first = axes[0].nearest(&points[0], last.s);
@@ -313,7 +313,7 @@ impl BeamContact {
         let (lying, axis) = (Lying::of(first, c), Axis::of(other, c));
         let middle = other.arc(elements[1], 0.5);
         let gap: Gap = &|xi| self.gap(&axis, middle, &lying.point(xi), own.arc(elements[0], xi));
-        each_point(&[gap], lying.length, &mut |_, xi, share| {
+        each_point(&[gap], &[], lying.length, &mut |_, xi, share| {
             let found = axis.nearest(&lying.point(xi), middle);
             let (element, eta) = other.at(found.s);
             if element != elements[1] || self.is_near(own.arc(elements[0], xi), found.s) {

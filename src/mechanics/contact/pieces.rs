@@ -17,6 +17,12 @@ pub const CELLS: usize = 2;
 const INTERVALS: usize = 8;
 /// Roots that an end of a step may have.
 const MOST_ROOTS: usize = 2 * INTERVALS;
+/// Intervals between positions at which the part of a surface that is nearest is looked at, and the most borders between
+/// such parts that an end of a step may have.
+const PART_INTERVALS: usize = 32;
+const MOST_PARTS: usize = 16;
+/// Halvings that find a border between parts.
+const HALVINGS: usize = 30;
 /// Halvings and secants that find a root: as many for every root, so that no comparison of round-off decides.
 const ROUNDS: usize = 12;
 /// Sections by which a least gap between two positions is found, and parabolas that find it then to round-off: where
@@ -62,10 +68,17 @@ impl Lying {
 /// How far points of an element are above what they may touch, by their positions, m.
 pub type Gap<'a> = &'a dyn Fn(f64) -> f64;
 
+/// The part of a surface that is nearest to points of an element, by their positions: a face, an edge or a corner. A
+/// surface that is round all over has one part.
+pub type Part<'a> = &'a dyn Fn(f64) -> usize;
+
+/// Most borders of the pieces of an element.
+const MOST_BORDERS: usize = 2 * (MOST_ROOTS + MOST_PARTS) + CELLS + 1;
+
 /// Positions in ascending order.
 #[derive(Clone, Copy, Debug)]
 struct Borders {
-    list: [f64; 2 * MOST_ROOTS + CELLS + 1],
+    list: [f64; MOST_BORDERS],
     number: usize,
 }
 
@@ -79,9 +92,10 @@ impl Borders {
 }
 
 /// Calls `take` with the cell, the position and the share of `length` of each point of an element at which one of the
-/// `gaps` is negative: that of an instant, or those of both ends of a step.
-pub fn each_point(gaps: &[Gap], length: f64, take: &mut dyn FnMut(usize, f64, f64)) {
-    let mut borders = Borders { list: [0.0; 2 * MOST_ROOTS + CELLS + 1], number: 0 };
+/// `gaps` is negative: that of an instant, or those of both ends of a step. Where the nearest part of the surface changes
+/// in one of `parts`, the curvature of the gap jumps: pieces end there too.
+pub fn each_point(gaps: &[Gap], parts: &[Part], length: f64, take: &mut dyn FnMut(usize, f64, f64)) {
+    let mut borders = Borders { list: [0.0; MOST_BORDERS], number: 0 };
     let mut touches = false;
     for gap in gaps {
         touches |= find_roots(gap, &mut borders);
@@ -89,6 +103,7 @@ pub fn each_point(gaps: &[Gap], length: f64, take: &mut dyn FnMut(usize, f64, f6
     if !touches {
         return;
     }
+    parts.iter().for_each(|part| find_changes(part, &mut borders));
     (0..=CELLS).for_each(|cell| borders.push(cell as f64 / CELLS as f64));
     let borders = &mut borders.list[..borders.number];
     borders.sort_unstable_by(f64::total_cmp);
@@ -102,6 +117,30 @@ pub fn each_point(gaps: &[Gap], length: f64, take: &mut dyn FnMut(usize, f64, f6
         for (point, weight) in FOUR_POINTS.into_iter().zip(FOUR_WEIGHTS) {
             take(cell, from + (to - from) * point, weight * (to - from) * length);
         }
+    }
+}
+
+/// Adds the positions at which `part` changes: the end of the one before and the start of the one behind, between which
+/// a third one may be.
+fn find_changes(part: Part, borders: &mut Borders) {
+    let at = |number: usize| number as f64 / PART_INTERVALS as f64;
+    let (mut before, mut number_of_changes) = (part(0.0), 0);
+    for number in 0..PART_INTERVALS {
+        let behind = part(at(number + 1));
+        if behind == before || number_of_changes == MOST_PARTS / 2 {
+            continue;
+        }
+        for (own, [mut inner, mut outer]) in
+            [(before, [at(number), at(number + 1)]), (behind, [at(number + 1), at(number)])]
+        {
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (inner + outer);
+                if part(middle) == own { inner = middle } else { outer = middle }
+            }
+            borders.push(inner);
+        }
+        number_of_changes += 1;
+        before = behind;
     }
 }
 
@@ -226,7 +265,7 @@ mod tests {
         let own = lying(height);
         let mut sum = 0.0;
         let gap = |xi: f64| shape.distance(&own.point(xi));
-        each_point(&[&gap], 1.0, &mut |_, xi, share| sum -= share * gap(xi));
+        each_point(&[&gap], &[], 1.0, &mut |_, xi, share| sum -= share * gap(xi));
         let half = (radius * radius - height * height).sqrt();
         // ∫ √(y² + h²) dy from −a to a.
         let exact = 2.0 * radius * half - (half * radius + height * height * (half / height).asinh());
@@ -247,7 +286,7 @@ mod tests {
             let own = Lying { vectors: [position(0.0), along(0.0), position(1.0), along(1.0)], length: 1.0 };
             let (mut force, mut squares, mut length) = (0.0, 0.0, 0.0);
             let gap = |xi: f64| own.point(xi).x;
-            each_point(&[&gap], 1.0, &mut |_, xi, share| {
+            each_point(&[&gap], &[], 1.0, &mut |_, xi, share| {
                 let pressure = -gap(xi);
                 force += share * pressure;
                 squares += share * pressure * pressure;
@@ -264,6 +303,25 @@ mod tests {
         assert!((0.85..0.9).contains(&below[2]), "{below:?}");
     }
 
+    /// A bar across the edge of a plate, above its face and beside it: the gap is flat, then rises as a circle. The
+    /// pieces end where it begins to, and the integral of the penetration is that of both parts.
+    #[test]
+    fn pieces_end_at_edges() {
+        let shape = Shape::Box { half: Vec3::new(0.1, 0.213, 1.0) };
+        let (radius, depth) = (0.02, 1e-3);
+        let along = Vec3::y();
+        let start = Vec3::new(0.1 + radius - depth, 0.0, 0.0);
+        let own = Lying { vectors: [start, along, start + along, along], length: 1.0 };
+        let (gap, part) = (|xi: f64| shape.distance(&own.point(xi)) - radius, |xi: f64| shape.part(&own.point(xi)));
+        let mut sum = 0.0;
+        each_point(&[&gap], &[&part], 1.0, &mut |_, xi, share| sum -= share * gap(xi));
+        let height = radius - depth;
+        let half = (radius * radius - height * height).sqrt();
+        let beside = radius * half - 0.5 * (half * radius + height * height * (half / height).asinh());
+        let exact = 0.213 * depth + beside;
+        assert!((sum / exact - 1.0).abs() < 1e-8, "{sum} {exact}");
+    }
+
     /// Over a step, both ends' borders are borders of pieces; points of no cell are lost.
     #[test]
     fn both_ends_count() {
@@ -273,7 +331,7 @@ mod tests {
         });
         let (mut sum, mut cells) = (0.0, [0; CELLS]);
         let gap = |own: &Lying, xi: f64| own.point(xi).x - 5e-3;
-        each_point(&[&|xi| gap(&start, xi), &|xi| gap(&end, xi)], 1.0, &mut |cell, _, share| {
+        each_point(&[&|xi| gap(&start, xi), &|xi| gap(&end, xi)], &[], 1.0, &mut |cell, _, share| {
             sum += share;
             cells[cell] += 1;
         });

@@ -82,6 +82,20 @@ impl Shape {
         }
     }
 
+    /// Whether its distance is made of parts, between which the curvature of the distance jumps.
+    pub fn has_parts(&self) -> bool {
+        matches!(self, Self::Box { .. } | Self::Cone(_))
+    }
+
+    /// A number of the part that is nearest to `y`: a face, an edge or a corner.
+    pub fn part(&self, y: &Vec3) -> usize {
+        match self {
+            Self::Box { half } => block::part(half, y),
+            Self::Cone(cone) => cone.part(y),
+            _ => 0,
+        }
+    }
+
     /// A lower bound of how far `y` is from where the distance is finite and negative, m.
     pub fn least_distance(&self, y: &Vec3) -> f64 {
         match *self {

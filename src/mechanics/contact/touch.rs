@@ -7,7 +7,7 @@
 
 use super::Contact;
 use super::law::Pressure;
-use super::pieces::{Gap, Lying, each_point};
+use super::pieces::{Gap, Lying, Part, each_point};
 use crate::math::{Mat3, Vec3, hermite};
 use crate::mechanics::beam::ancf14::coordinates::interpolate;
 use crate::mechanics::beam::element::AnyElement;
@@ -85,7 +85,9 @@ impl Contact {
         let (shape, radius, (_, axes)) = (&self.surface.shape, self.radius, self.seat());
         let gap = |own: &Lying, xi: f64| shape.distance(&own.point(xi)) - radius;
         let gaps: [Gap; 2] = [&|xi| gap(&lying[0], xi), &|xi| gap(&lying[1], xi)];
-        each_point(&gaps, lying[1].length, &mut |cell, xi, share| {
+        let parts: [Part; 2] = [&|xi| shape.part(&lying[0].point(xi)), &|xi| shape.part(&lying[1].point(xi))];
+        let parts = if shape.has_parts() { &parts[..] } else { &[] };
+        each_point(&gaps, parts, lying[1].length, &mut |cell, xi, share| {
             let weights = hermite::shape(xi, element.length());
             let points = lying.map(|own| own.point(xi));
             let penetrations = points.map(|point| radius - shape.distance(&point));
@@ -129,7 +131,9 @@ impl Contact {
         let lying = self.lying(element, &carrier, c);
         let (shape, radius, (_, axes)) = (&self.surface.shape, self.radius, self.seat());
         let gap: Gap = &|xi| shape.distance(&lying.point(xi)) - radius;
-        each_point(&[gap], lying.length, &mut |cell, xi, share| {
+        let part: &[Part] = &[&|xi| shape.part(&lying.point(xi))];
+        let parts = if shape.has_parts() { part } else { &[] };
+        each_point(&[gap], parts, lying.length, &mut |cell, xi, share| {
             let point = lying.point(xi);
             let penetration = radius - shape.distance(&point);
             let (weights, normal) = (hermite::shape(xi, element.length()), shape.normal(&point));

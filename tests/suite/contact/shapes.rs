@@ -18,7 +18,6 @@ fn ropes_through_rings() {
         run(&mut simulation, 0.02, 1.0, |_| {});
         let (ratio, exact) = (vector(&simulation, "high.reaction_force").norm() / 100.0, (0.3 * angle).exp());
         let [sliding, wrapped] = ["sliding", "wrap_angle"].map(|name| value(&simulation, &format!("wrapped.{name}")));
-        println!("{angle}: {ratio} {exact} {wrapped}");
         assert_eq!(sliding, 1.0);
         assert!((wrapped / angle - 1.0).abs() < 0.05, "{wrapped} of {angle}");
         assert!((ratio / exact - 1.0).abs() < 5e-3, "{angle}: {ratio} {exact}");
@@ -55,14 +54,13 @@ fn a_bar_along_a_cone() {
     let [along, out] = [[lean.cos(), -lean.sin()], [lean.sin(), lean.cos()]];
     let ends = [-0.15, 0.15].map(|s: f64| [s * along[0] + radius * out[0], 0.0, 0.2 + s * along[1] + radius * out[1]]);
     let cone = "shape = \"cone\"\naxis = [1, 0, 0]\nradius = 0.3\nend_radius = 0.1\nlength = 0.8";
-    let simulation = start(&pressed(ends, cone));
+    let simulation = start(&pressed(ends, cone).replace("= 1e4", "= 1e5"));
     let force = vector(&simulation, "load.reaction_force");
     assert!((force - Vec3::new(30.0 * lean.tan(), 0.0, 30.0)).norm() < 1e-6, "{force:?}");
     let guided = vector(&simulation, "guided.reaction_force");
     assert!((guided + Vec3::new(30.0 * lean.tan(), 0.0, 0.0)).norm() < 1e-6, "{guided:?}");
     let names = ["normal_force", "contact_length", "penetration"];
     let [normal, length, depth] = names.map(|name| value(&simulation, &format!("load.{name}")));
-    println!("{normal} {length} {depth:e}");
     assert!((normal * lean.cos() / 30.0 - 1.0).abs() < 1e-6 && (length / 0.3 - 1.0).abs() < 1e-9, "{normal} {length}");
     assert!((depth / (normal / (1e6 * 0.3)) - 1.0).abs() < 1e-3, "{depth:e}");
 }
@@ -78,13 +76,11 @@ fn a_bar_across_an_edge_and_a_tip() {
                 offset = [0, 0, \"-0.2*sqrt(2)\"]";
     let tip = "shape = \"cone\"\naxis = [0, 0, 1]\nradius = 0.1\nend_radius = 0\nlength = 0.4\noffset = [0, 0, -0.2]";
     for (name, surface) in [("edge", edge), ("tip", tip)] {
-        let text = pressed([[-0.2, 0.0, 0.0199], [0.2, 0.0, 0.0199]], surface);
-        // Off the nodes of the mesh.
-        let text = text.replace("elements = 8", "elements = 7");
-        let simulation = start(&text);
+        // Off the nodes of the mesh, which are 50 mm apart.
+        let simulation = start(&pressed([[-0.187, 0.0, 0.0199], [0.213, 0.0, 0.0199]], surface));
         let force = vector(&simulation, "load.reaction_force");
         let (depth, height) = (value(&simulation, "load.penetration"), value(&simulation, "middle.position[3]"));
-        assert!((force - Vec3::new(0.0, 0.0, 30.0)).norm() < 1e-6, "{name}: {force:?}");
+        assert!((force - Vec3::new(0.0, 0.0, 30.0)).norm() < 1e-4, "{name}: {force:?}");
         let sharp = 0.02 - height;
         let expected = 4.0 / 3.0 * 1e6 * sharp * f64::sqrt(2.0 * 0.02 * sharp);
         println!("{name}: {depth:e} {sharp:e} {}", expected / 30.0);
@@ -92,8 +88,9 @@ fn a_bar_across_an_edge_and_a_tip() {
     }
 }
 
-/// A bar that falls on the corner of a box, on the rim and on the tip of a cone, and through a ring: its energy stays to
-/// a thousandth of what it has while it hits and turns off.
+/// A bar that falls on the corner of a box, on the rim and on the tip of a cone, and on a ring: its energy stays to a
+/// thousandth of what it has when it hits. Pieces that do not end at edges lose 7 thousandths on the corner and 18 on the
+/// rim.
 #[test]
 fn falling_bars_keep_their_energy() {
     let corner = "shape = \"box\"\nsize = [0.3, 0.3, 0.3]\noffset = [-0.13, -0.15, -0.19]";
@@ -102,7 +99,7 @@ fn falling_bars_keep_their_energy() {
         "shape = \"cone\"\naxis = [0, 0.1, 1]\nradius = 0.2\nend_radius = 0\nlength = 0.4\noffset = [0.05, 0, -0.24]";
     let ring = "shape = \"ring\"\naxis = [0, 0.2, 1]\nradius = 0.2\nwire = 0.01\noffset = [0.05, 0.02, -0.05]";
     for (name, surface) in [("corner", corner), ("rim", rim), ("tip", tip), ("ring", ring)] {
-        for stiffness in [1e4, 1e6] {
+        for stiffness in [1e5, 1e6] {
             let text = format!(
                 "format = 1\n[model]\nname = \"Falling\"\ngravity = [0, 0, -9.81]\n\
                  [section.s]\nshape = \"rigidities\"\nEA = 2e5\nEI_y = 2\nEI_z = 2\nGJ = 2\nline_density = 0.5\n\
@@ -115,9 +112,10 @@ fn falling_bars_keep_their_energy() {
             );
             let mut simulation = start(&text);
             let (mut largest, mut drift) = (0.0_f64, 0.0_f64);
-            let energy = value(&simulation, "energy.kinetic");
+            let mut energy = 0.0_f64;
             run(&mut simulation, 0.002, 0.4, |own| {
                 largest = largest.max(value(own, "load.normal_force"));
+                energy = energy.max(value(own, "energy.kinetic"));
                 drift = drift.max(value(own, "work.drift").abs());
             });
             println!("{name} {stiffness:e}: {largest} N, drift {:e}", drift / energy);

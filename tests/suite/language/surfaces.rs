@@ -5,6 +5,7 @@ use ancf14::fmi::Model;
 use ancf14::math::Vec3;
 use ancf14::model::document::Document;
 use ancf14::model::drawing::{Drawing, LineKind};
+use ancf14::model::entries::surface::Mesh;
 use ancf14::model::simulation::Simulation;
 use ancf14::model::view::Recording;
 use approx::assert_relative_eq;
@@ -107,6 +108,13 @@ fn surfaces_change_no_result() {
     assert_eq!(end(MODEL), end(&with_surfaces()));
 }
 
+/// The volume that polygons enclose, m³.
+fn volume(mesh: &Mesh) -> f64 {
+    let corner = |corner: usize| Vec3::from(mesh.corners[corner]);
+    let triangles = mesh.faces.iter().flat_map(|face| face[1..].windows(2).map(|pair| [face[0], pair[0], pair[1]]));
+    triangles.map(|all| all.map(corner)).map(|[a, b, c]| a.dot(&b.cross(&c)) / 6.0).sum()
+}
+
 /// The volume that polygons enclose, by the divergence theorem: negative if their corners run clockwise as seen from
 /// outside. A prism of 24 sides has `12 r² sin(2π/24)` of the area of its circle; the rings of the sphere leave out
 /// 2.6 % of it. A cylinder has no ends, whose share of `∮ x·n dA/3` is a third.
@@ -114,12 +122,7 @@ fn surfaces_change_no_result() {
 fn meshes_enclose_their_volume() {
     let document = Document::parse("surfaces.toml", &with_surfaces(), &[]).unwrap();
     let scene = Recording::new(&loaded(&with_surfaces())).scene;
-    let volume = |number: usize| -> f64 {
-        let mesh = &scene.surfaces[number].mesh;
-        let corner = |corner: usize| Vec3::from(mesh.corners[corner]);
-        let triangles = mesh.faces.iter().flat_map(|face| face[1..].windows(2).map(|pair| [face[0], pair[0], pair[1]]));
-        triangles.map(|all| all.map(corner)).map(|[a, b, c]| a.dot(&b.cross(&c)) / 6.0).sum()
-    };
+    let volume = |number: usize| volume(&scene.surfaces[number].mesh);
     let area = 12.0 * (PI / 12.0).sin() * 0.1_f64.powi(2);
     assert_relative_eq!(volume(1), 2.0 / 3.0 * area * 0.4, epsilon = 1e-15);
     let share = volume(2) / (4.0 / 3.0 * PI * 0.25_f64.powi(3));
@@ -132,6 +135,27 @@ fn meshes_enclose_their_volume() {
     let corner = Vec3::from(named[1].points[0]) - Vec3::new(1.0 + 0.2 * 0.5_f64.cos(), 0.2 * 0.5_f64.sin(), 0.0);
     assert_relative_eq!(corner.x, -0.2, epsilon = 1e-12);
     assert_relative_eq!(corner.norm(), 0.2_f64.hypot(0.1), epsilon = 1e-12);
+}
+
+/// Rings, boxes and cones are closed, and a box has its axes in rows: the prism of 24 sides has `12 sin(2π/24)` of the
+/// squared radius, and what runs around a ring has that share of `2 R` times its section.
+#[test]
+fn meshes_of_closed_shapes() {
+    let text = format!(
+        "{MODEL}[surface.eye]\nshape = \"ring\"\naxis = [0, 1, 0]\nradius = 0.3\nwire = 0.05\n\
+         [surface.block]\non = \"table\"\nshape = \"box\"\nsize = [0.1, 0.2, 0.4]\n\
+         axes = [[0, 0.6, 0.8], [1, 0, 0], [0, 0.8, -0.6]]\n\
+         [surface.spike]\nshape = \"cone\"\naxis = [0, 0, 1]\nradius = 0.2\nend_radius = 0.1\nlength = 0.6\n"
+    );
+    let mut recording = Recording::new(&loaded(&text));
+    recording.record(&loaded(&text));
+    let volumes: Vec<f64> = recording.scene.surfaces.iter().map(|own| volume(&own.mesh)).collect();
+    let round = 12.0 * (PI / 12.0).sin();
+    let exact = [2.0 * 0.3 * round * round * 0.05 * 0.05, 0.008, round * 0.6 / 3.0 * (0.04 + 0.02 + 0.01)];
+    for (found, exact) in volumes.iter().zip(exact) {
+        assert_relative_eq!(*found, exact, epsilon = 1e-15);
+    }
+    assert_relative_eq!(poses(&recording)[1].1, Vec3::new(0.0, 0.6, 0.8), epsilon = 1e-12);
 }
 
 /// A copy that is turned by a right angle about z and moved has the offset and the normal of a plane on the ground
