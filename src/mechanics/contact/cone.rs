@@ -16,7 +16,7 @@ pub struct Cone {
     pub half_length: f64,
 }
 
-/// What of the cone is nearest.
+/// A part of the cone that may be nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Part {
     Side,

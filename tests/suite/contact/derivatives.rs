@@ -31,9 +31,12 @@ const SURFACES: [&str; 10] = [
     "shape = \"cylinder\"\naxis = [1, 0, 0.05]\nradius = 0.2\ninside = true\non = \"wheel\"",
     "shape = \"sheave\"\naxis = [0, 1, 0]\nradius = 0.7\ngroove = 0.2\non = \"wheel\"",
     "shape = \"ring\"\naxis = [0.1, 1, 0]\nradius = 1\nwire = 0.4\non = \"wheel\"\noffset = [0, -0.25, -0.7]",
-    "shape = \"cone\"\naxis = [0.1, 1, 0]\nradius = 0.5\nend_radius = 0.9\nlength = 0.8\non = \"wheel\"",
+    "shape = \"cone\"\naxis = [0.1, 1, 0]\nradius = 0.5\nend_radius = 0.9\nlength = 2\non = \"wheel\"",
     // An edge along the beam, 18 mm from its axis.
-    "shape = \"box\"\nsize = [1.2, 0.5, 0.5]\naxes = [[0.998890737, 0.033296358, 0.033296358], [-0.033314830, 0.999444907, 0.000000000], [-0.033277875, -0.001109263, 0.999445523]]\noffset = [0.067514, -0.226562, 0.031146]\non = \"cart\"",
+    "shape = \"box\"\nsize = [1.2, 0.5, 0.5]\n\
+     axes = [[0.998890737, 0.033296358, 0.033296358], \
+     [-0.033314830, 0.999444907, 0.000000000], [-0.033277875, -0.001109263, 0.999445523]]\n\
+     offset = [0.067514, -0.226562, 0.031146]\non = \"cart\"",
     "shape = \"box\"\nsize = [1.5, 1, 1]\non = \"wheel\"",
 ];
 
