@@ -284,13 +284,17 @@ mod tests {
         }
     }
 
-    /// Faces, edges, corners and tips: distances from them by Pythagoras.
+    /// Wires, faces, edges, corners and tips: distances from them by Pythagoras.
     #[test]
     fn corners_are_sharp() {
         let cube = Shape::Box { half: Vec3::new(1.0, 2.0, 3.0) };
+        let ring = Shape::Ring { radius: 1.0, wire: 0.1 };
         let tip = Shape::Cone(Cone { radii: [1.0, 0.0], half_length: 2.0 });
         let widening = Shape::Cone(Cone { radii: [1.0, 3.0], half_length: 1.0 });
         for (shape, y, exact) in [
+            (ring, [0.3, 0.0, -1.4], 0.4),
+            (ring, [0.0, 0.6, 0.8], -0.1),
+            (ring, [0.0, 0.0, 0.0], 0.9),
             (cube, [1.5, 1.0, -2.0], 0.5),
             (cube, [1.0 + 3.0, 2.0 + 4.0, 0.0], 5.0),
             (cube, [-1.0 - 2.0, 2.0 + 3.0, -3.0 - 6.0], 7.0),
@@ -338,6 +342,9 @@ mod tests {
             (cone, [-0.1, 0.2, 0.0], [-0.1, 0.1, 0.0], false),
             (cone, [0.4, 0.0, 0.0], [0.0, 0.0, 0.0], true),
             (cone, [0.2, 0.1, 0.0], [0.2, -0.1, 0.0], false),
+            // It is thinner there than in its middle, and thicker where the way leaves it.
+            (cone, [0.1, 0.2, 0.04], [0.1, -0.2, 0.04], false),
+            (cone, [0.1, 0.05, 0.0], [-0.2, 0.06, 0.0], true),
         ] {
             let found = shape.is_run_through(&Vec3::from(start), &Vec3::from(end));
             assert_eq!(found, crosses, "{shape:?} {start:?} {end:?}");
