@@ -303,7 +303,7 @@ impl SurfaceSpec {
                 Mesh { corners, faces: vec![vec![0, 1, 2, 3]] }
             }
             Shape::Cylinder { radius, length, .. } => {
-                let half = 0.5 * length.map_or(size, |length| value(length));
+                let half = 0.5 * length.map_or(size, value);
                 rings([-half, half].map(|x| [x, value(radius)]))
             }
             Shape::Sphere { radius, .. } => rings((0..RINGS).map(|ring| {
