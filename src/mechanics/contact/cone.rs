@@ -1,7 +1,7 @@
 //! The distance from a cone: from its side, from the flat faces at its ends, and from their edges. An edge of no radius
 //! is the tip.
 //!
-//! It is a function of the place in the plane through the axis, where the cone is a trapezoid.
+//! It is a function of the point in the plane through the axis, where the cone is a trapezoid.
 
 use super::block::within;
 use super::secant::{Local, Secant, across, axis_distance, in_meridian};
@@ -45,38 +45,38 @@ impl Cone {
         Vec3::new(sign(end) * self.half_length, self.radii[end], 0.0)
     }
 
-    fn height_over_side(&self, place: &Vec3) -> f64 {
-        self.side().dot(&(place - Vec3::new(0.0, self.mean_radius(), 0.0)))
+    fn height_over_side(&self, point: &Vec3) -> f64 {
+        self.side().dot(&(point - Vec3::new(0.0, self.mean_radius(), 0.0)))
     }
 
-    /// The part of the cone that is nearest to `place` in the plane through the axis.
-    fn nearest(&self, place: &Vec3) -> Part {
-        let (normal, height) = (self.side(), self.height_over_side(place));
+    /// The part of the cone that is nearest to `point` in the plane through the axis.
+    fn nearest(&self, point: &Vec3) -> Part {
+        let (normal, height) = (self.side(), self.height_over_side(point));
         let along = Vec3::new(normal.y, -normal.x, 0.0);
         let (foot, reach) =
-            (along.dot(&(place - Vec3::new(0.0, self.mean_radius(), 0.0))), self.half_length / normal.y);
-        let end = usize::from(place.x > 0.0);
-        let beyond = place.x.abs() - self.half_length;
+            (along.dot(&(point - Vec3::new(0.0, self.mean_radius(), 0.0))), self.half_length / normal.y);
+        let end = usize::from(point.x > 0.0);
+        let beyond = point.x.abs() - self.half_length;
         if height >= 0.0 {
             return match foot {
-                _ if beyond >= 0.0 && place.y <= self.radii[end] => Part::Face(end),
+                _ if beyond >= 0.0 && point.y <= self.radii[end] => Part::Face(end),
                 foot if foot.abs() <= reach => Part::Side,
                 foot => Part::Edge(usize::from(foot > 0.0)),
             };
         }
         if beyond >= 0.0 {
-            return if place.y <= self.radii[end] { Part::Face(end) } else { Part::Edge(end) };
+            return if point.y <= self.radii[end] { Part::Face(end) } else { Part::Edge(end) };
         }
         if height > beyond { Part::Side } else { Part::Face(end) }
     }
 
-    fn local(&self, part: Part, place: &Vec3) -> Local {
+    fn local(&self, part: Part, point: &Vec3) -> Local {
         let flat = |value, gradient| Local { value, gradient, curvature: Mat3::zeros() };
         match part {
-            Part::Side => flat(self.height_over_side(place), self.side()),
-            Part::Face(end) => flat(sign(end) * place.x - self.half_length, Vec3::x() * sign(end)),
+            Part::Side => flat(self.height_over_side(point), self.side()),
+            Part::Face(end) => flat(sign(end) * point.x - self.half_length, Vec3::x() * sign(end)),
             Part::Edge(end) => {
-                let from = place - self.edge(end);
+                let from = point - self.edge(end);
                 let Secant { direction, by_end } = Secant::of_norm(&from, &from);
                 Local { value: from.norm(), gradient: direction, curvature: by_end * 2.0 }
             }
@@ -85,8 +85,8 @@ impl Cone {
 
     /// Distance of `y`, m.
     pub(super) fn distance(&self, y: &Vec3) -> f64 {
-        let place = in_meridian(y);
-        self.local(self.nearest(&place), &place).value
+        let point = in_meridian(y);
+        self.local(self.nearest(&point), &point).value
     }
 
     /// A number of what is nearest to `y`.
@@ -100,12 +100,12 @@ impl Cone {
 
     /// The secant of the distance.
     pub(super) fn secant(&self, start: &Vec3, end: &Vec3) -> Secant {
-        let places = [start, end].map(in_meridian);
-        let parts = places.map(|place| self.nearest(&place));
-        let [first, last] = &places;
+        let points = [start, end].map(in_meridian);
+        let parts = points.map(|point| self.nearest(&point));
+        let [first, last] = &points;
         let inner = match parts[0] {
             part if part != parts[1] => {
-                let local = |place: &Vec3| self.local(self.nearest(place), place);
+                let local = |point: &Vec3| self.local(self.nearest(point), point);
                 Secant::of_pieces(local, first, last, self.half_length + self.mean_radius())
             }
             Part::Edge(end) => Secant::of_norm(&(first - self.edge(end)), &(last - self.edge(end))),

@@ -17,8 +17,8 @@ pub const CELLS: usize = 2;
 const INTERVALS: usize = 8;
 /// Roots that an end of a step may have.
 const MOST_ROOTS: usize = 2 * INTERVALS;
-/// Intervals between positions at which the part of a surface that is nearest is looked at, and the most borders between
-/// such parts that an end of a step may have.
+/// Intervals between positions at which the part of a surface that is nearest is looked at, and the most borders
+/// between such parts that an end of a step may have.
 const PART_INTERVALS: usize = 32;
 const MOST_PARTS: usize = 16;
 /// Halvings that find a border between parts.
@@ -92,8 +92,8 @@ impl Borders {
 }
 
 /// Calls `take` with the cell, the position and the share of `length` of each point of an element at which one of the
-/// `gaps` is negative: that of an instant, or those of both ends of a step. Where the nearest part of the surface changes
-/// in one of `parts`, the curvature of the gap jumps: pieces end there too.
+/// `gaps` is negative: that of an instant, or those of both ends of a step. Where the nearest part of the surface
+/// changes in one of `parts`, the curvature of the gap jumps: pieces end there too.
 pub fn each_point(gaps: &[Gap], parts: &[Part], length: f64, take: &mut dyn FnMut(usize, f64, f64)) {
     let mut borders = Borders { list: [0.0; MOST_BORDERS], number: 0 };
     let mut touches = false;
@@ -319,7 +319,9 @@ mod tests {
         let half = (radius * radius - height * height).sqrt();
         let beside = radius * half - 0.5 * (half * radius + height * height * (half / height).asinh());
         let exact = 0.213 * depth + beside;
-        assert!((sum / exact - 1.0).abs() < 1e-8, "{sum} {exact}");
+        // The root behind the edge is found to 3e-5 m: the integral misses half the square of that times the slope.
+        let missed = 0.5 * (half / radius) * 3e-5_f64.powi(2);
+        assert!((sum - exact).abs() < missed, "{sum} {exact}");
     }
 
     /// Over a step, both ends' borders are borders of pieces; points of no cell are lost.

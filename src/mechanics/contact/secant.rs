@@ -77,14 +77,14 @@ impl Secant {
         Self { direction, by_end: (Mat3::identity() - direction * (end / length).transpose()) / sum }
     }
 
-    /// The secant of a function of the place in the plane through the axis, by its own secant there.
+    /// The secant of a function of the point in the plane through the axis, by its own secant there.
     pub(super) fn of_meridian(start: &Vec3, end: &Vec3, inner: &Self) -> Self {
         let radial = Self::of_norm(&across(start), &across(end));
         let out = across(end) / axis_distance(end).max(NO_LENGTH);
-        let by_place = inner.by_end.column(0) * Vec3::x().transpose() + inner.by_end.column(1) * out.transpose();
-        let mut by_end = radial.direction * by_place.row(1);
+        let by_point = inner.by_end.column(0) * Vec3::x().transpose() + inner.by_end.column(1) * out.transpose();
+        let mut by_end = radial.direction * by_point.row(1);
         by_end += radial.by_end * Mat3::from_diagonal(&Vec3::new(0.0, 1.0, 1.0)) * inner.direction.y;
-        let along = by_end.row(0) + by_place.row(0);
+        let along = by_end.row(0) + by_point.row(0);
         by_end.set_row(0, &along);
         Self { direction: Vec3::x() * inner.direction.x + radial.direction * inner.direction.y, by_end }
     }

@@ -189,7 +189,7 @@ fn outwards(inside: bool) -> f64 {
     if inside { -1.0 } else { 1.0 }
 }
 
-/// The place of `y` in the plane through the axis, from the middle of a wire that is bent about it.
+/// The point `y` in the plane through the axis, from the middle of a wire that is bent about it.
 fn from_wire(radius: f64, y: &Vec3) -> Vec3 {
     in_meridian(y) - Vec3::y() * radius
 }

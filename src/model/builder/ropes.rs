@@ -7,7 +7,6 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::builder::ropes::{Drawn, RopeDesign, STEEPEST, Slack};
 use crate::model::file::document::Document;
 use crate::model::file::entries::rope::{self, End, Hold, RopeSpec};
-use crate::model::file::entries::surface::Shape;
 
 impl Builder<'_> {
     pub(super) fn add_rope(&mut self, written: &RopeSpec) {
@@ -17,16 +16,8 @@ impl Builder<'_> {
             .wheels()
             .map(|(surface, turn)| {
                 let spec = &document.surfaces[surface];
-                let of_surface = match spec.shape {
-                    Shape::Sheave { radius, .. } | Shape::Cylinder { radius, .. } => document.value(radius),
-                    // The file is refused.
-                    Shape::Plane(_)
-                    | Shape::Sphere { .. }
-                    | Shape::Ring { .. }
-                    | Shape::Box { .. }
-                    | Shape::Cone { .. }
-                    | Shape::Bottom { .. } => 0.0,
-                };
+                // Without a radius the file is refused.
+                let of_surface = spec.shape.winding_radius().map_or(0.0, |radius| document.value(radius));
                 let wheel = Wheel { radius: of_surface + radius, turn: turn as f64 };
                 (spec.name.clone(), self.surface(spec).marker, wheel)
             })

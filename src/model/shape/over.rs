@@ -132,7 +132,7 @@ fn round<'a>(
     let Some(own) = spec.shape.winding_radius() else {
         let message = format!("beam {} cannot be wound around surface {}", beam.name, spec.name);
         let help = "`over` takes cylinders, from outside, and sheaves";
-        return Err(mistake(document, written, &message, "this surface has no outside to wind around", help));
+        return Err(mistake(document, written, &message, "beam curves do not run around this shape", help));
     };
     let distance = match written.radius {
         Some(radius) => document.value(radius),

@@ -87,7 +87,7 @@ fn touching(document: &Document, number: usize, length: f64) -> usize {
     let surfaces = document.contacts.iter().flat_map(ContactSpec::pairs).filter(|(beam, _)| *beam == number);
     // One that is wrong is not there, which is reported elsewhere.
     let known = surfaces.filter_map(|(_, surface)| document.surfaces.get(surface));
-    let radii = known.filter_map(|surface| surface.shape.winding_radius(|number| document.value(number)));
+    let radii = known.filter_map(|surface| surface.shape.bending_radius(|number| document.value(number)));
     let smallest = radii.filter(|radius| *radius > 0.0).reduce(f64::min);
     smallest.map_or(0, |radius| (length / (LONGEST * radius) - 1e-9).ceil() as usize)
 }

@@ -65,8 +65,8 @@ fn a_bar_along_a_cone() {
     assert!((depth / (normal / (1e6 * 0.3)) - 1.0).abs() < 1e-3, "{depth:e}");
 }
 
-/// A bar of radius `r` across an edge of a box that stands on it, faces at 45 degrees, and across the tip of a cone. Its
-/// axis is at a height `d` above it: a point of the axis `y` beside it is inside by `r - √(y² + d²)`, and is pressed up
+/// A bar of radius `r` across an edge of a box that stands on it, faces at 45 degrees, and across the tip of a cone.
+/// Its axis is at a height `d` above it: a point of the axis `y` beside it is inside by `r - √(y² + d²)`, and is pressed up
 /// by `d/√(y² + d²)` of its force. Both ends of the integral are at `a = √(r² - d²)`.
 #[test]
 fn a_bar_across_an_edge_and_a_tip() {
@@ -87,8 +87,8 @@ fn a_bar_across_an_edge_and_a_tip() {
 }
 
 /// A bar that falls on the corner of a box, on the rim and on the tip of a cone, and on a ring: its energy stays to a
-/// thousandth of what it has when it hits. Pieces that do not end at edges lose 7 thousandths on the corner and 18 on the
-/// rim.
+/// thousandth of what it has when it hits. Pieces that do not end at edges lose 7 thousandths on the corner and 18 on
+/// the rim.
 #[test]
 fn falling_bars_keep_their_energy() {
     let corner = "shape = \"box\"\nsize = [0.3, 0.3, 0.3]\noffset = [-0.13, -0.15, -0.19]";

@@ -142,16 +142,21 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The radius of what beams wind around, m; none: it is flat, or they do not. A ring's is that of its wire, a cone's
-    /// that in its middle.
-    pub fn winding_radius(&self, value: impl Fn(Number) -> f64) -> Option<f64> {
+    /// The radius of what ropes and belts run around; none: they run around no such shape.
+    pub fn winding_radius(&self) -> Option<Number> {
         match *self {
-            Self::Cylinder { radius, inside: false, .. } | Self::Sheave { radius, .. } => Some(value(radius)),
+            Self::Cylinder { radius, inside: false, .. } | Self::Sheave { radius, .. } => Some(radius),
+            _ => None,
+        }
+    }
+
+    /// The radius around which beams bend that touch it, m; none: it is flat, or they do not. That of a ring is the
+    /// radius of its wire, that of a cone the radius in its middle.
+    pub fn bending_radius(&self, value: impl Fn(Number) -> f64) -> Option<f64> {
+        match *self {
             Self::Ring { wire, .. } => Some(value(wire)),
             Self::Cone { radii: [start, end], .. } => Some(0.5 * (value(start) + value(end))),
-            Self::Plane(_) | Self::Cylinder { .. } | Self::Sphere { .. } | Self::Box { .. } | Self::Bottom { .. } => {
-                None
-            }
+            _ => self.winding_radius().map(value),
         }
     }
 }

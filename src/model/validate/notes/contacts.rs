@@ -12,7 +12,7 @@ pub fn coarse_contacts(document: &Document, lines: &Lines) -> Vec<Note> {
         // A run makes the meshes of the program finer until it is right.
         let given = |pair: &(usize, usize)| !document.beams[pair.0].is_meshed_by_program;
         for (beam, surface) in contact.pairs().filter(given) {
-            let Some(radius) = document.surfaces[surface].shape.winding_radius(|number| document.value(number)) else {
+            let Some(radius) = document.surfaces[surface].shape.bending_radius(|number| document.value(number)) else {
                 continue;
             };
             let Some(line) = lines.line(beam) else { continue };
