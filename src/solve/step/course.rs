@@ -46,17 +46,31 @@ impl Course {
         state: &mut State,
         end: f64,
     ) -> Result<(), Error> {
-        let mut next = self.ends.partition_point(|own| *own <= state.time);
         while state.time < end {
-            let step_end = self.ends.get(next).map_or(end, |own| own.min(end));
-            next += 1;
-            let step = step_end - state.time;
-            integrator.switch(system, state, state.time + AT_BREAK * step)?;
-            grid_step(integrator, system, state, step, step_end)?;
-            // Results show what holds from this instant on.
-            integrator.switch(system, state, state.time + AT_BREAK * step)?;
+            self.part(integrator, system, state, end)?;
         }
         Ok(())
+    }
+
+    /// Takes one step on the way to `end`, s, as [`Self::advance`] does; returns whether that is reached.
+    ///
+    /// # Errors
+    /// As of [`Self::advance`].
+    pub fn part(
+        &self,
+        integrator: &mut impl Integrator,
+        system: &System,
+        state: &mut State,
+        end: f64,
+    ) -> Result<bool, Error> {
+        let next = self.ends.partition_point(|own| *own <= state.time);
+        let step_end = self.ends.get(next).map_or(end, |own| own.min(end));
+        let step = step_end - state.time;
+        integrator.switch(system, state, state.time + AT_BREAK * step)?;
+        grid_step(integrator, system, state, step, step_end)?;
+        // Results show what holds from this instant on.
+        integrator.switch(system, state, state.time + AT_BREAK * step)?;
+        Ok(state.time >= end)
     }
 }
 

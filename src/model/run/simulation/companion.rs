@@ -12,6 +12,7 @@ use crate::model::file::document::Document;
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::run::accuracy::{Columns, Differences};
 use crate::model::run::levels::{self, OtherMesh, Override};
+use crate::solve::step::course::Course;
 use std::fmt::Debug;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -80,6 +81,8 @@ pub struct Companion {
     /// The overrides that `document` was read with, and those of the other mesh.
     overrides: [Vec<Override>; 2],
     columns: Arc<Columns>,
+    /// The steps of the other run, where those are given: steps of its own would be off by their own error.
+    course: Option<Course>,
     /// None until the first row: building takes time, which another thread may spend.
     simulation: Option<Box<Simulation>>,
     found: Result<Differences, Lost>,
@@ -98,6 +101,7 @@ impl Companion {
             document: Arc::clone(&simulation.document),
             overrides: [simulation.overrides.clone(), mesh.overrides.clone()],
             columns: Arc::clone(&simulation.columns),
+            course: simulation.runner.course.clone(),
             simulation: None,
             found: Ok(Differences::default()),
             halts: [halt, Halt::default()],
@@ -121,7 +125,9 @@ impl Companion {
         let document = levels::changed(&self.document, &own, changes);
         let document =
             document.ok_or_else(|| Lost::Start(String::from("the file makes no model with so few elements")))?;
-        Simulation::of(document, own).map_err(|failure| Lost::Start(failure.message))
+        let mut simulation = Simulation::of(document, own).map_err(|failure| Lost::Start(failure.message))?;
+        simulation.runner.course.clone_from(&self.course);
+        Ok(simulation)
     }
 
     fn compare(&mut self, row: &Row, differences: &mut Differences) -> Result<(), Lost> {

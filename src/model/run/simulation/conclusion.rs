@@ -77,12 +77,16 @@ impl Simulation {
         let setting = self.step_setting();
         let errors = self.estimated_errors().into_iter().filter(|own| self.is_judged(own));
         let of_steps = errors.max_by(|a, b| a.error.total_cmp(&b.error)).and_then(|worst| worst.warning(setting));
-        let seen_from = if self.is_compared { "" } else { self.find_mesh_errors() };
+        let is_beside = self.companion.is_some();
+        let seen_from = if self.is_compared && !is_beside { "" } else { self.find_mesh_errors() };
         let errors = self.mesh_errors.iter().filter(|own| self.is_judged(own));
         let worst = errors.max_by(|a, b| a.excess().total_cmp(&b.excess()));
         let twists = self.document.beams.iter().any(levels::has_linear_twist);
         let of_mesh = worst.and_then(|worst| worst.warning_of_mesh(seen_from, twists));
         if self.is_compared {
+            if is_beside && !self.mesh_errors.is_empty() {
+                self.mesh_known = (self.mesh_errors.clone(), of_mesh);
+            }
             let (errors, warning) = &self.mesh_known;
             self.mesh_errors.clone_from(errors);
             self.warnings.extend(warning.clone());

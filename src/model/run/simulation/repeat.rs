@@ -37,6 +37,10 @@ impl Simulation {
         let mut other = Self::of(document, overrides)?;
         if is_same_mesh {
             other.mesh_known.clone_from(&self.mesh_known);
+            // The comparison beside a coarse run has errors of its steps too: a warning needs the finer steps.
+            if self.mesh_known.1.is_some() {
+                other.placement.clone_from(&self.placement);
+            }
         }
         other.is_compared = true;
         other.judged.clone_from(&self.judged);
@@ -59,6 +63,7 @@ impl Simulation {
     /// Leaves the mesh error of this run, not initialized yet, to a comparison of its rows.
     pub fn leave_mesh_error(&mut self) {
         self.is_compared = true;
+        self.placement = None;
     }
 
     /// The same mechanism on a mesh twice as fine; none if a beam has no such mesh.

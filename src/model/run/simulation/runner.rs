@@ -314,7 +314,10 @@ impl Runner {
         let (system, state) = (&self.system, &mut self.state);
         match &mut self.solver {
             Solver::None => Err(Error::NotInitialized),
-            Solver::Midpoint(midpoint) => plan.part(number, midpoint.as_mut(), system, state),
+            Solver::Midpoint(midpoint) => match &self.course {
+                Some(course) => course.part(midpoint.as_mut(), system, state, plan.end),
+                None => plan.part(number, midpoint.as_mut(), system, state),
+            },
             Solver::GeneralizedAlpha(alpha) => plan.part(number, alpha.as_mut(), system, state),
             Solver::Statics(statics) => plan.part(number, statics.as_mut(), system, state),
         }

@@ -30,6 +30,8 @@ const SIGHTINGS: u32 = 3;
 /// Looks after which a mesh that may be too coarse is judged, if the run does not end before: what elements leave out
 /// of the little energy at a start does not matter once the mechanism has more.
 const LASTING: u32 = 200;
+/// Departures of the law of large strain from rigidities that are told, in percent: less says nothing.
+const TOLD: f64 = 0.1;
 
 /// What has been seen of the mesh.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -155,13 +157,20 @@ impl MeshWatch {
         }
         self.fibers_warned = true;
         let [bending, axial] = fibers.departure().map(|share| 100.0 * share);
+        let departures = [
+            (bending, "bending moments", "EI times the curvature, 1.25 times the square of the bending strain"),
+            (axial, "axial forces", "EA times the elongation"),
+        ];
+        let told = departures.iter().filter(|(departure, ..)| *departure >= TOLD);
+        let told: Vec<_> =
+            told.map(|(own, force, law)| format!("{force} differ by about {own:.1} % from {law}")).collect();
         Some(format!(
-            "fibers of beam {} strain by about {:.0} % at t = {} s: the law of strain = \"large\", Green's strain times Young's modulus, makes bending moments differ by about {bending:.1} % from EI \
-             times the curvature, 1.25 times the square of the bending strain, and axial forces by about {axial:.1} % from EA times the elongation; if these should stay in proportion, take strain = \"small\" \
+            "fibers of beam {} strain by about {:.0} % at t = {} s: the law of strain = \"large\", Green's strain times Young's modulus, makes {}; if these should stay in proportion, take strain = \"small\" \
              for the beam, or a section of shape = \"rigidities\"",
             system.beam_of(fibers.element).0.name,
             100.0 * fibers.largest(),
             decimal(state.instant()),
+            told.join(", and "),
         ))
     }
 
