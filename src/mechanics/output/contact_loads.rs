@@ -4,6 +4,7 @@ use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::ancf14::coordinates::interpolate;
 use crate::mechanics::contact::grip::{Cells, Pressing};
 use crate::mechanics::contact::mutual::{BeamContact, Meeting};
+use crate::mechanics::contact::pieces::CELLS;
 use crate::mechanics::marker::configuration::{Configuration, Passage};
 use crate::mechanics::system::System;
 
@@ -68,6 +69,20 @@ impl System {
             contact.each_meeting(c, passage, &mut |meeting| self.add_meeting_to(&mut found, contact, meeting, c));
         }
         found
+    }
+
+    /// Normal force per undeformed length of all surfaces at a position in an element, N/m: the mean over its half of the
+    /// element. Within that, a curve of third degree lies deeper in one part of a round surface than in another.
+    pub fn contact_pressure(&self, (number, xi): (usize, f64), c: &Configuration, passage: &Passage) -> f64 {
+        let element = &self.mesh.elements[number];
+        let (own, cells) = (((xi * CELLS as f64) as usize).min(CELLS - 1), CELLS as f64);
+        let mut pressing = 0.0;
+        for contact in self.contacts.iter().filter(|contact| contact.elements.contains(&number)) {
+            contact.each_touch(element, c, passage, |touch| {
+                pressing += if touch.cell == own { touch.pressing } else { 0.0 };
+            });
+        }
+        pressing * cells / element.length()
     }
 
     /// Adds a point at which beams touch each other: the force on the beam that touches, about the origin.

@@ -52,6 +52,8 @@ pub enum Quantity {
     FluidVelocity,
     /// Drag of the water per length.
     Drag,
+    /// Normal force per length of the surfaces that a beam touches.
+    ContactPressure,
     /// Height of the surface of the water.
     Elevation,
     /// Force of a joint on b, or that a frame must supply.
@@ -202,7 +204,7 @@ const MASS: Rows = Rows(&[Whole(Kind::Beam), Whole(Kind::Body)]);
 const WHOLE_BEAM: Rows = Rows(&[Whole(Kind::Beam)]);
 
 /// Everything that can be asked for.
-pub const QUANTITIES: [Row; 53] = [
+pub const QUANTITIES: [Row; 54] = [
     POINT.row(Quantity::Position, "position", 3, "m", "position in global axes"),
     POINT.row(Quantity::Displacement, "displacement", 3, "m", "displacement from the place as drawn, in global axes"),
     POINT.row(Quantity::Velocity, "velocity", 3, "m/s", "velocity in global axes"),
@@ -299,6 +301,13 @@ pub const QUANTITIES: [Row; 53] = [
         "velocity of the water in global axes, 0 above its surface",
     ),
     BEAM.row(Quantity::Drag, "drag", 3, "N/m", "drag of water and air per undeformed length, in global axes"),
+    BEAM.row(
+        Quantity::ContactPressure,
+        "contact_pressure",
+        1,
+        "N/m",
+        "normal force of the surfaces and the seabed that the beam touches, per undeformed length",
+    ),
     POINT.row(
         Quantity::Elevation,
         "elevation",

@@ -61,6 +61,7 @@ impl Quantity {
                 | EffectiveTension
                 | WallTension
                 | Drag
+                | ContactPressure
                 | Effort
                 | Power
                 | Force
@@ -71,6 +72,11 @@ impl Quantity {
                 | Tension
         ) || self.is_transmitted();
         is_strain || is_force || self.is_acceleration()
+    }
+
+    /// Whether it jumps along a beam, at positions that no mesh hits.
+    pub fn jumps_along_beam(self) -> bool {
+        self == Self::ContactPressure
     }
 
     /// Whether it tells where the mechanism is, or an energy: neither how fast it moves nor which strains and forces

@@ -70,6 +70,10 @@ struct Family {
     is_rough: bool,
     /// Each four of its results are a unit quaternion.
     is_quaternion: bool,
+    /// It jumps along a beam: its error is the mean of its columns, of which one may be on either side of a jump.
+    jumps: bool,
+    /// How many columns it has.
+    columns: u32,
     /// It is told of; energies that are not among the results only say what is large.
     is_shown: bool,
     /// How fast the error that a mesh causes falls with the length of the elements.
@@ -149,11 +153,14 @@ impl Columns {
                     unit: unit.clone(),
                     is_rough,
                     is_quaternion,
+                    jumps: quantity.is_some_and(Quantity::jumps_along_beam),
+                    columns: 0,
                     is_shown,
                     order,
                 });
                 families.len() - 1
             });
+            families[family].columns += 1;
             columns.push(Column { result, family, from_zero });
         }
         let rotations = columns.iter().filter(|column| quantities[column.result] == Some(Quantity::Rotation));
@@ -166,9 +173,14 @@ impl Columns {
         scale::compare_turns(&self.rotations, own, other);
     }
 
-    /// Sets `largest` to the largest of the errors of each family's results.
+    /// Sets `largest` to the largest of the errors of each family's results, or to their mean where it jumps.
     fn find_largest(&self, error: impl Fn(usize) -> f64, largest: &mut Vec<f64>) {
         self.find_largest_of_columns(|_, column| error(column.result), largest);
+        for (number, family) in self.families.iter().enumerate().filter(|(_, family)| family.jumps) {
+            let own = self.columns.iter().filter(|column| column.family == number);
+            let sum: f64 = own.map(|column| error(column.result)).sum();
+            largest[number] = if sum.is_nan() { f64::INFINITY } else { sum / f64::from(family.columns) };
+        }
     }
 
     /// Sets `largest` to the largest size of each family's columns.

@@ -3,6 +3,7 @@
 use super::Checker;
 use crate::model::file::entries::contact::ContactSpec;
 use crate::model::file::entries::surface::Shape;
+use crate::model::file::quantity::Quantity;
 use crate::model::shape::contacts::contact_radius;
 
 impl Checker<'_> {
@@ -37,6 +38,24 @@ impl Checker<'_> {
                 );
                 let help = "take a larger surface, or set `radius` of the contact";
                 self.mistake(contact.place, &message, "the beam does not fit into it", help);
+            }
+        }
+    }
+
+    /// Reports outputs of pressures on beams that touch no surface.
+    pub(super) fn check_pressures(&mut self) {
+        let document = self.document;
+        for output in document.outputs.iter().filter(|own| own.quantities.contains(&Quantity::ContactPressure)) {
+            let Some(beam) = output.target.beam() else { continue };
+            let touches = document.contacts.iter().flat_map(ContactSpec::pairs).any(|pair| pair.0 == beam);
+            if !touches && let Some(beam) = document.beams.get(beam) {
+                let message = format!(
+                    "output {} measures \"contact_pressure\", and beam {} touches no surface",
+                    output.name, beam.name
+                );
+                let help =
+                    "add a [contact.NAME] of the beam with a [surface.NAME]; contacts of beams have `normal_force`";
+                self.mistake(output.place, &message, "there is no pressure", help);
             }
         }
     }

@@ -131,6 +131,7 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
     }
     document.winches.iter().for_each(|winch| checker.check_winch(winch));
     document.contacts.iter().for_each(|contact| checker.check_contact(contact));
+    checker.check_pressures();
     document.foundations.iter().for_each(|foundation| checker.check_foundation(foundation));
     document.ropes.iter().for_each(|rope| checker.check_rope(rope));
     checker.check_fluids();

@@ -92,7 +92,10 @@ impl Givens {
             (ReactionForce | ReactionMoment | AppliedForce | AppliedMoment | Effort | Power, _) => Found::All,
             // The ends of a rope are where frames and drives are.
             (_, Target::Connection(Kind::Rope, _)) => Found::Motion,
-            (Drag | Velocity | AngularVelocity | AngleRate | DistanceRate | Force | KineticEnergy, _) => Found::Motion,
+            (
+                Drag | ContactPressure | Velocity | AngularVelocity | AngleRate | DistanceRate | Force | KineticEnergy,
+                _,
+            ) => Found::Motion,
             (Angle | Distance | Energy, _) => Found::Frames,
             _ => Found::Drawing,
         }

@@ -67,6 +67,10 @@ pub(super) fn push_point(
         | Quantity::Elevation => {
             push_of_water(values, moment, c, number, quantity);
         }
+        Quantity::ContactPressure => {
+            let point = sensor.in_element().expect("the file is refused: only points of beams touch surfaces");
+            values.push(system.contact_pressure(point, c, loads.passage));
+        }
         Quantity::SectionForce
         | Quantity::SectionMoment
         | Quantity::EffectiveTension

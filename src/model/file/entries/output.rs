@@ -91,6 +91,14 @@ impl Target {
         if let Self::At(anchor) = self { Some(anchor) } else { None }
     }
 
+    /// The beam that it looks at, or a point of it, by its place in the list of beams.
+    pub fn beam(&self) -> Option<usize> {
+        match *self {
+            Self::At(Anchor { spot: Spot::Beam { beam, .. }, .. }) | Self::On { beam, .. } => Some(beam),
+            _ => None,
+        }
+    }
+
     /// The number of its sensors, which read what is not of a connection or of a whole part.
     pub fn sensors(&self) -> usize {
         match self {
