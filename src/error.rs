@@ -76,6 +76,41 @@ t = decimal(*.time)
         other: String,
         /// Number of the element in the other beam, from 0.
         touched: usize,
+        /// Distance of the axes at which they touch, m.
+        distance: f64,
+    },
+    /// A beam is drawn inside another one, or inside itself.
+    #[error(
+        "element {element} of {beam} is drawn inside element {touched} of {other}: their axes are nearer than half the \
+         distance at which they touch, {distance} m; draw them further apart, or set a smaller `radius` of the contact \
+         with both beams in `of`"
+    )]
+    DrawnInBeam {
+        /// The beam's name.
+        beam: String,
+        /// Number of the element in the beam, from 0.
+        element: usize,
+        /// Name of the other beam.
+        other: String,
+        /// Number of the element in the other beam, from 0.
+        touched: usize,
+        /// Distance of the axes at which they touch, m.
+        distance: f64,
+    },
+    /// A beam is drawn inside a convex surface.
+    #[error(
+        "element {element} of {beam} is drawn inside surface {surface}, deeper than half its radius of {radius:.3} m; \
+         draw the beam outside"
+    )]
+    DrawnInSurface {
+        /// The beam's name.
+        beam: String,
+        /// Number of the element in the beam, from 0.
+        element: usize,
+        /// The surface's name.
+        surface: String,
+        /// Its least radius, m.
+        radius: f64,
     },
     /// A beam has run through a convex surface.
     #[error(

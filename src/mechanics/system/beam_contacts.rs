@@ -154,7 +154,8 @@ impl System {
                 let [(beam, element), (other, touched)] =
                     [0, 1].map(|side| self.beam_of(contact.strands[side].elements.start + elements[side]));
                 let (beam, other) = (beam.name.clone(), other.name.clone());
-                return Err(Error::BeamThroughBeam { time, beam, element, other, touched });
+                let distance = contact.distance();
+                return Err(Error::BeamThroughBeam { time, beam, element, other, touched, distance });
             }
         }
         Ok(())

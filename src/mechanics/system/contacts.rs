@@ -238,7 +238,7 @@ impl System {
     ///
     /// # Errors
     /// One has: it might leave on the other side.
-    pub(super) fn check_contacts(&self, c: &Configuration, state: &State, time: f64) -> Result<(), Error> {
+    pub fn check_contacts(&self, c: &Configuration, state: &State, time: f64) -> Result<(), Error> {
         if !self.has_contacts() {
             return Ok(());
         }

@@ -71,6 +71,24 @@ pub fn check_assembled(system: &System, state: &State) -> Result<(), Error> {
     }
 }
 
+/// Checks that no beam is drawn inside of what it touches: it might leave on the other side, and no step is right.
+///
+/// # Errors
+/// A beam is inside another one, or inside a surface.
+pub fn check_apart(system: &System, state: &State) -> Result<(), Error> {
+    let mut cache = FrameCache::default();
+    let c = cache.of(system, state);
+    system.check_contacts(&c, state, state.time).map_err(|found| match found {
+        Error::BeamThroughBeam { beam, element, other, touched, distance, .. } => {
+            Error::DrawnInBeam { beam, element, other, touched, distance }
+        }
+        Error::RunThrough { beam, element, surface, radius, .. } => {
+            Error::DrawnInSurface { beam, element, surface, radius }
+        }
+        other => other,
+    })
+}
+
 /// The first joint whose sides are apart, with its gap.
 fn first_gap<'s>(system: &'s System, state: &State) -> Option<(&'s Joint, f64)> {
     let mut cache = FrameCache::default();

@@ -111,9 +111,13 @@ impl Statics {
             let is_held = state.held.iter().any(|held| held.index == index);
             if is_held || state.held.len() == MOST {
                 let slot = system.describe_unknown(index);
-                return Err(singular(format!(
-                    "{slot} and more than {MOST} others can move freely; hold them by joints"
-                )));
+                return Err(singular(match is_held {
+                    true => format!(
+                        "{slot} can move freely, and loads turn with what moves, so that no position along it is an \
+                         equilibrium of its own; hold it by a joint, or let the loads point along global axes"
+                    ),
+                    false => format!("{slot} and more than {MOST} others can move freely; hold them by joints"),
+                }));
             }
             let stiffness = SOFT / self.kkt.scale(index).powi(2);
             state.held.push(HeldCoordinate { index, stiffness });

@@ -1,6 +1,6 @@
 //! Notes and warnings of contacts, copies with contacts, and numbers that are tuned while a model runs.
 
-use crate::running::{run, start, value};
+use crate::running::{run, start, try_start, value};
 use ancf14::fmi::{Model, Value};
 use ancf14::model::document::Document;
 use ancf14::model::notes::notes;
@@ -87,4 +87,31 @@ fn copies_touch_their_own_surfaces() {
     let simulation = start(text);
     let force = value(&simulation, "second.reaction_force[3]");
     assert!((force - 10.0).abs() < 1e-6, "{force}");
+}
+
+/// Beams and surfaces that are drawn inside each other are named: every step would be refused as running through.
+#[test]
+fn beams_that_are_drawn_inside_of_something_are_named() {
+    let leaves = |radius: &str| {
+        format!(
+            "format = 1\n[model]\nname = \"Leaves\"\ngravity = [0, 0, 0]\n\
+             [section.s]\nshape = \"rigidities\"\nEA = 1e5\nEI_y = 10\nEI_z = 10\nGJ = 10\nline_density = 1\n\
+             outer_diameter = 0.07\n\
+             [beam.first]\nsection = \"s\"\nfrom = [0, 0, 0]\nto = [1, 0, 0]\nelements = 4\n\
+             [beam.second]\nsection = \"s\"\nfrom = [0, 0, -0.01]\nto = [1, 0, -0.01]\nelements = 4\n\
+             [joint.one]\ntype = \"weld\"\na = \"ground\"\nb = \"first.start\"\n\
+             [joint.other]\ntype = \"weld\"\na = \"ground\"\nb = \"second.start\"\n\
+             [contact.both]\nof = [\"first\", \"second\"]\nwith = [\"first\", \"second\"]\n{radius}\n\
+             [simulation]\nanalysis = \"static\"\nstop = 1\n"
+        )
+    };
+    let failure = try_start(&leaves("")).unwrap_err();
+    assert!(failure.contains("first is drawn inside element 0 of second"), "{failure}");
+    assert!(failure.contains("0.07 m") && failure.contains("smaller `radius`"), "{failure}");
+    // They touch at the thickness of a leaf.
+    start(&leaves("radius = 0.005"));
+
+    let post = bar(10, "", "").replace("offset = [0, 0, 3]", "offset = [0.5, 0, 0.05]");
+    let failure = try_start(&post).unwrap_err();
+    assert!(failure.contains("bar is drawn inside surface post"), "{failure}");
 }

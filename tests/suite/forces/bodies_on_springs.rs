@@ -139,6 +139,26 @@ fn a_bushing_gives_way_by_load_over_stiffness() {
     }
 }
 
+/// One number is the stiffness along all axes, or about them.
+#[test]
+fn a_bushing_may_be_alike_along_all_axes() {
+    let pad = |stiffness: &str, rotational: &str| {
+        format!(
+            "[joint.pad]\ntype = \"bushing\"\na = \"ground\"\nb = \"block\"\n\
+             stiffness = {stiffness}\nrotational_stiffness = {rotational}\n\
+             [load.push]\nat = \"block\"\nforce = [30, -20, 50]\nmoment = [1, 2, -1]\n\
+             [simulation]\nanalysis = \"static\"\nstop = 1\nstep = 1\noutput_step = 1\n"
+        )
+    };
+    let moved = |pad: &str| {
+        let simulation = start(&block(Vec3::zeros(), Vec3::zeros(), pad));
+        ["at_block.displacement", "at_block.rotation"].map(|name| vector(&simulation, name))
+    };
+    let one = moved(&pad("\"2*50\"", "9"));
+    assert!((one[0] - Vec3::new(0.3, -0.2, 0.5)).norm() < 1e-13, "{one:?}");
+    assert_eq!(one, moved(&pad("[100, 100, 100]", "[9, 9, 9]")));
+}
+
 /// Two free bodies that turn against each other by more than two radians on a bushing with six different stiffnesses.
 #[test]
 fn an_anisotropic_bushing_keeps_momenta_and_energy() {

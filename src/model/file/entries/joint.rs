@@ -280,10 +280,10 @@ fn free_coordinates(reader: &mut Reader<'_, '_>, kind: JointKind) -> [Option<Spr
 impl Bushing {
     fn read(reader: &mut Reader<'_, '_>) -> Self {
         Self {
-            stiffness: reader.vector_or(&BUSHING_STIFFNESS, [0.0; 3]),
-            damping: reader.vector_or(&BUSHING_DAMPING, [0.0; 3]),
-            rotational_stiffness: reader.vector_or(&ROTATIONAL_STIFFNESS, [0.0; 3]),
-            rotational_damping: reader.vector_or(&ROTATIONAL_DAMPING, [0.0; 3]),
+            stiffness: reader.uniform_or_vector(&BUSHING_STIFFNESS, [0.0; 3]),
+            damping: reader.uniform_or_vector(&BUSHING_DAMPING, [0.0; 3]),
+            rotational_stiffness: reader.uniform_or_vector(&ROTATIONAL_STIFFNESS, [0.0; 3]),
+            rotational_damping: reader.uniform_or_vector(&ROTATIONAL_DAMPING, [0.0; 3]),
         }
     }
 }

@@ -23,6 +23,12 @@ impl Reader<'_, '_> {
         }
     }
 
+    /// Three numbers, or one that is all three, or their default.
+    pub fn uniform_or_vector(&mut self, rule: &Rule, default: [f64; 3]) -> [Number; 3] {
+        let is_one = self.has(rule.key) && self.length_of(rule.key).is_none();
+        if is_one { [self.number(rule); 3] } else { self.vector_or(rule, default) }
+    }
+
     /// Three numbers that may be left out.
     pub fn optional_vector(&mut self, rule: &Rule) -> Option<[Number; 3]> {
         let entry = self.take(rule.key)?;

@@ -119,6 +119,7 @@ impl Runner {
         self.state.prescribed.holds =
             self.system.holds_at(self.state.time, &self.state.targets).map(Hold::drawn).collect();
         start::check_assembled(&self.system, &self.state)?;
+        start::check_apart(&self.system, &self.state)?;
         let mut warnings = self.set_up(document, responds)?;
         match document.simulation.analysis {
             Analysis::Dynamic => self.find_motion(document, &mut warnings)?,
