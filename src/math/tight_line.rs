@@ -40,7 +40,7 @@ struct Piece {
 #[derive(Clone, Debug, PartialEq)]
 pub struct TightLine {
     pieces: Vec<Piece>,
-    /// Length, m.
+    /// Length, m; not a number where the wheels are too far away to compute with.
     pub length: f64,
 }
 
@@ -102,6 +102,8 @@ impl TightLine {
         if length > 0.0 {
             self.pieces.push(Piece { begin: self.length, origin, radius, heading, wheel });
             self.length += length;
+        } else if length.is_nan() {
+            self.length = f64::NAN;
         }
     }
 

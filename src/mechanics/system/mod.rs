@@ -181,7 +181,7 @@ impl System {
     }
 
     /// Whether loads act at `excitation` that derive from no potential: follower loads, and moments about axes that
-    /// stand still, and the drag of a current. Stability is then no matter of the stiffness alone.
+    /// stand still, the drag of a current, and friction on surfaces. Stability is then no matter of the stiffness alone.
     pub fn follows_no_potential(&self, excitation: &Excitation) -> bool {
         self.loads.iter().zip(&excitation.wrenches).any(|(load, wrench)| {
             let follows = load.direction == Direction::Follower && wrench.force != Vec3::zeros();
@@ -191,6 +191,7 @@ impl System {
             .iter()
             .any(|actuator| actuator.readings().iter().any(|own| own.coordinate != actuator.coordinate))
             || self.fluids.iter().any(Fluid::drags)
+            || self.has_contact_friction()
     }
 
     /// What drives and frames prescribe at the start, `time` s; `from` is where drives by a rate are, and what is held

@@ -20,7 +20,7 @@ use self::order::Coarse;
 use super::run::accuracy::{Differences, Inexact};
 use super::run::levels;
 use super::run::rows;
-use super::run::simulation::Simulation;
+use super::run::simulation::{CRITICAL, Simulation};
 use crate::fmi::Model;
 use crate::model::file::document::Document;
 use crate::model::file::entries::simulation::{Analysis, Follow};
@@ -117,6 +117,8 @@ pub struct Refinement {
     nearest: Option<Nearest>,
     /// The first run beside one with fewer elements.
     coarse: Coarse,
+    /// When the equilibria of the run become unstable, s.
+    critical: Option<f64>,
     /// Differences of the last two pairs of runs, not divided.
     distances: Vec<Inexact>,
     /// The factors by which the steps and the meshes of the run that goes on are finer than those before.
@@ -173,6 +175,7 @@ impl Refinement {
             differences: Differences::default(),
             nearest: is_path.then(Nearest::default),
             coarse: Coarse::default(),
+            critical: None,
             distances: Vec::new(),
             ratios: [1.0; 2],
             divided: 1.0,
@@ -279,7 +282,9 @@ impl Refinement {
             Inexact { error: own.error + of_mesh, ..own.clone() }
         });
         self.worst = sums.chain(mesh.iter().cloned()).max_by(|a, b| a.error.total_cmp(&b.error));
-        if simulation.is_at_rest() {
+        self.critical = simulation.critical_time();
+        let is_steady = mesh.iter().all(|own| own.name != CRITICAL || own.excess() <= 1.0);
+        if simulation.is_at_rest() && is_steady {
             return 0.0;
         }
         // Without a comparison nothing is known of the mesh, and a doubt of it is settled by another one.
@@ -302,6 +307,9 @@ impl Refinement {
         if !self.nearest.as_ref().is_some_and(Nearest::is_complete) {
             let name = String::from("path.parameter");
             errors.push(Inexact { name, error: f64::INFINITY, is_rough: false });
+        }
+        if self.nearest.as_ref().is_some_and(Nearest::hides_instability) {
+            errors.extend(Inexact::of_critical([None, Some(1.0)], ORDER));
         }
         let before = std::mem::replace(&mut self.distances, errors.clone());
         let excess = |all: &[Inexact]| all.iter().map(Inexact::excess).fold(0.0, f64::max);
@@ -342,7 +350,9 @@ impl Refinement {
             let left = |share: f64, gain: f64| if share > 0.0 { share / (gain - 1.0) } else { 0.0 };
             1.0 / (left(of_steps, gains[0]) + left(of_mesh, gains[1]))
         };
-        let errors = simulation.distances(&self.differences, divisor);
+        let mut errors = simulation.distances(&self.differences, divisor);
+        let critical = [std::mem::replace(&mut self.critical, simulation.critical_time()), self.critical];
+        errors.extend(Inexact::of_critical(critical, mesh.powf(ORDER_OF_MESH)).filter(|_| mesh > 1.0));
         let by_mesh = |own: &Inexact| {
             let share = self.plain_shares(&own.name, [steps.powf(FIRST_ORDER), mesh.powf(ORDER_OF_MESH_OF_RATES)])[1];
             Inexact { error: own.error * share, ..own.clone() }

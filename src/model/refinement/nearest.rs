@@ -14,6 +14,8 @@ pub struct Nearest {
     finer: Option<Finer>,
     /// A row has no such point, or the mechanism no such mesh.
     is_lost: bool,
+    /// Rows that are stable on one of both meshes alone.
+    unlike: u32,
     /// Rows that have been compared.
     pub rows: u64,
 }
@@ -25,8 +27,15 @@ impl Nearest {
             self.finer = simulation.twice_as_fine();
         }
         self.rows += 1;
-        let is_compared = self.finer.as_mut().is_some_and(|finer| simulation.compare_nearest(finer, differences));
-        self.is_lost |= !is_compared;
+        match self.finer.as_mut().and_then(|finer| simulation.compare_nearest(finer, differences)) {
+            Some(is_alike) => self.unlike += u32::from(!is_alike),
+            None => self.is_lost = true,
+        }
+    }
+
+    /// Whether the path of the finer mesh becomes unstable elsewhere: one row may be between both points.
+    pub fn hides_instability(&self) -> bool {
+        self.unlike > 1
     }
 
     /// Whether all rows have been compared.

@@ -72,8 +72,6 @@ struct Family {
     is_quaternion: bool,
     /// It jumps along a beam: its error is the mean of its columns, of which one may be on either side of a jump.
     jumps: bool,
-    /// How many columns it has.
-    columns: u32,
     /// It is told of; energies that are not among the results only say what is large.
     is_shown: bool,
     /// How fast the error that a mesh causes falls with the length of the elements.
@@ -133,7 +131,9 @@ impl Columns {
         for (result, ((own, unit), quantity)) in table.results.iter().zip(&quantities).enumerate() {
             let quantity = *quantity;
             let name = scale::family(own);
-            if quantity.is_none() && !matches!(name, scale::ENERGY | PARAMETER) {
+            // The share that slides jumps from 0 to 1, on every mesh at another load.
+            let is_followed = quantity.is_some() || matches!(name, scale::ENERGY | PARAMETER);
+            if !is_followed || quantity == Some(Quantity::Sliding) {
                 continue;
             }
             let from_zero = scale::counts_from_zero(own);
@@ -154,13 +154,11 @@ impl Columns {
                     is_rough,
                     is_quaternion,
                     jumps: quantity.is_some_and(Quantity::jumps_along_beam),
-                    columns: 0,
                     is_shown,
                     order,
                 });
                 families.len() - 1
             });
-            families[family].columns += 1;
             columns.push(Column { result, family, from_zero });
         }
         let rotations = columns.iter().filter(|column| quantities[column.result] == Some(Quantity::Rotation));
@@ -176,10 +174,10 @@ impl Columns {
     /// Sets `largest` to the largest of the errors of each family's results, or to their mean where it jumps.
     fn find_largest(&self, error: impl Fn(usize) -> f64, largest: &mut Vec<f64>) {
         self.find_largest_of_columns(|_, column| error(column.result), largest);
-        for (number, family) in self.families.iter().enumerate().filter(|(_, family)| family.jumps) {
+        for (number, largest) in largest.iter_mut().enumerate().filter(|(number, _)| self.families[*number].jumps) {
             let own = self.columns.iter().filter(|column| column.family == number);
-            let sum: f64 = own.map(|column| error(column.result)).sum();
-            largest[number] = if sum.is_nan() { f64::INFINITY } else { sum / f64::from(family.columns) };
+            let (sum, count) = own.fold((0.0, 0.0), |(sum, count), own| (sum + error(own.result), count + 1.0));
+            *largest = if sum.is_nan() { f64::INFINITY } else { sum / count };
         }
     }
 

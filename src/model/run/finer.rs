@@ -40,11 +40,11 @@ impl Finer {
         Some(Self { table: Table::new(&other), system: built.system, drawn: built.state, statics, is_path })
     }
 
-    /// The results of the equilibrium near `state`, an equilibrium of `system`; none where its shape cannot be taken.
+    /// The equilibrium near `state`, an equilibrium of `system`; none where its shape cannot be taken.
     ///
     /// # Errors
     /// Newton does not find it.
-    pub fn results(&mut self, system: &System, state: &State) -> Result<Option<Vec<f64>>, Error> {
+    pub fn settled(&mut self, system: &System, state: &State) -> Result<Option<State>, Error> {
         let mut own = self.drawn.clone();
         if !self.system.take_shape(&mut own, system, state) {
             return Ok(None);
@@ -53,11 +53,27 @@ impl Finer {
             true => self.statics.settle_across(&self.system, &mut own)?,
             false => self.statics.settle(&self.system, &mut own)?,
         }
+        Ok(Some(own))
+    }
+
+    /// The results of an equilibrium that has been [settled](Self::settled).
+    pub fn results(&self, settled: &State) -> Vec<f64> {
         let mut response = Response::default();
-        response.set_at_rest(&own);
+        response.set_at_rest(settled);
         let (mut frames, mut results) = (FrameCache::default(), Vec::new());
-        let moment = Moment { system: &self.system, state: &own, response: &response, fibers: &[] };
+        let moment = Moment { system: &self.system, state: settled, response: &response, fibers: &[] };
         self.table.measure(&moment, &mut frames, &mut results);
-        Ok(Some(results))
+        results
+    }
+
+    /// Whether an equilibrium that has been [settled](Self::settled) is unstable.
+    pub fn is_unstable(&mut self, settled: &State) -> bool {
+        self.statics.is_unstable(&self.system, settled)
+    }
+
+    /// The time at which the path near two equilibria of `system` becomes unstable, s; none where that is not found.
+    pub fn critical_time(&mut self, system: &System, path: &[State; 2]) -> Option<f64> {
+        let [first, second] = path.each_ref().map(|state| self.settled(system, state).ok().flatten());
+        self.statics.critical_time_by(&self.system, [&first?, &second?])
     }
 }

@@ -66,9 +66,13 @@ pub fn curve(document: &Document, beam: &BeamSpec, written: &TightSpec) -> Resul
         Ok(line) => line,
         Err(NoWay(span)) => return Err(no_way(document, beam, written, span)),
     };
-    if !line.length.is_finite() {
-        let message = format!("the curve of beam {} is too long to compute with", beam.name);
-        return Err(mistake(document, written, &message, "these are too far away", ""));
+    if !line.length.is_finite() || line.length == 0.0 {
+        let [what, label] = match line.length == 0.0 {
+            true => ["has no length", "these are too small"],
+            false => ["is too long to compute with", "these are too far away"],
+        };
+        let message = format!("the curve of beam {} {what}", beam.name);
+        return Err(mistake(document, written, &message, label, ""));
     }
     if written.turns.is_none()
         && let Some(inside) = inside(&line, &rounds)

@@ -5,6 +5,7 @@
 //! loads later. What hangs and was drawn slack has no stiffness before it pulls: it is first let fall to where it hangs
 //! (relaxation.rs).
 
+mod crossing;
 mod equilibrium;
 mod holding;
 mod jump;
@@ -18,7 +19,7 @@ mod switching;
 use self::equilibrium::{Equilibrium, Tangent};
 use self::holding::Holding;
 use self::path::Path;
-use self::stability::{Stability, StabilityRecord};
+use self::stability::Stability;
 use crate::error::Error;
 use crate::mechanics::constraint::joint::JointGradient;
 use crate::mechanics::input::excitation::Excitation;
@@ -54,6 +55,10 @@ pub struct Statics {
     /// How fast the path was in its last increment.
     pace: Option<jump::Pace>,
     next: Option<State>,
+    /// A run on a finer mesh follows.
+    is_guide: bool,
+    /// The equilibria around the first point at which the path becomes unstable.
+    crossing: Option<Box<[State; 2]>>,
     /// Follows the equilibria by the arc length of their path; none: by time.
     path: Option<Box<Path>>,
     /// How the last solve went.
@@ -97,6 +102,8 @@ impl Statics {
             leaves_unstable: false,
             pace: None,
             next: None,
+            is_guide: false,
+            crossing: None,
             path: None,
             convergence: None,
         }
@@ -223,40 +230,6 @@ impl Statics {
         Ok(())
     }
 
-    /// Remarks that the equilibrium `state` is unstable and follows from none that is known.
-    fn remark_start(&mut self, system: &System, state: &State) {
-        if self.linearize(system, state).is_ok()
-            && let Some(softest) = stability::softest(system, &mut self.kkt, state)
-        {
-            self.stability.remark_start(system, state, &softest);
-        }
-    }
-
-    /// Looks whether the path has become unstable, or stable again, from `state`, of which `before` is known, to
-    /// `next`.
-    fn watch_stability(&mut self, system: &System, state: &State, next: &State, before: StabilityRecord) {
-        let unstable_now = self.judge(system, next);
-        if !self.stability.differs(before) {
-            return;
-        }
-        let (unstable, stable) = if unstable_now { (next, state) } else { (state, next) };
-        if self.linearize(system, unstable).is_err() {
-            return;
-        }
-        let Some(softest) = stability::softest(system, &mut self.kkt, unstable) else { return };
-        if softest.is_stable() {
-            self.stability.mark_stable(unstable.time);
-            return;
-        }
-        if self.linearize(system, stable).is_err() {
-            return;
-        }
-        let (mut here, mut there) = (FrameCache::default(), FrameCache::default());
-        let shape = system.motion_about(&softest.shape, &here.of(system, unstable), &there.of(system, stable));
-        let other = self.kkt.blocks.form(&shape, &shape);
-        self.stability.remark(system, unstable, before, &softest, other);
-    }
-
     /// Takes `state`, which is close to an equilibrium under its own loads and drives, there.
     ///
     /// # Errors
@@ -281,13 +254,23 @@ impl Statics {
         self.stability.forget();
     }
 
+    /// The time at which the path has become unstable for the first time, s; none: it has not.
+    pub fn critical_time(&self) -> Option<f64> {
+        self.stability.critical()
+    }
+
     /// What has been seen on the way that the user should know, once.
     pub fn take_remarks(&mut self) -> Vec<String> {
-        self.stability.take_remarks()
+        self.stability.take_remarks(!self.is_guide)
+    }
+
+    /// Leaves it to a run on a finer mesh, which follows this one, to tell of the stability.
+    pub fn guide(&mut self) {
+        self.is_guide = true;
     }
 
     /// Whether the equilibrium `state` is unstable, beyond doubt as far as its softest motion tells.
-    fn is_unstable(&mut self, system: &System, state: &State) -> bool {
+    pub fn is_unstable(&mut self, system: &System, state: &State) -> bool {
         let unstable = self.judge(system, state);
         if unstable && stability::softest(system, &mut self.kkt, state).is_some_and(|softest| softest.is_stable()) {
             self.stability.mark_stable(state.time);

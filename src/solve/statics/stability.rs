@@ -19,10 +19,13 @@ const BLOCK: usize = 4;
 /// Most sweeps for it.
 const MOST_SWEEPS: usize = 50;
 /// What an unstable mode of the stiffness means under loads that have no potential.
-const UNDECIDED: &str = "forces without a potential act (follower loads, moments, the drag of a current), and the \
+const UNDECIDED: &str = "forces without a potential act (follower loads, moments, drag, friction), and the \
                          stiffness alone does not decide: the equilibrium may be stable all the same, or flutter \
                          earlier; a dynamic analysis with a small disturbance shows it";
 
+/// Round-off of an eigenvalue over the sum of the sizes that cancel in it: a rope that can slide along its post has
+/// nothing else.
+const ROUND_OFF: f64 = 1e-10;
 /// Error of a vector at which its eigenvalue, which has the square of it, is known.
 const ACCURATE: f64 = 1e-3;
 
@@ -42,6 +45,8 @@ pub struct StabilityRecord {
 pub struct Softest {
     /// Its `ω²`, 1/s².
     pub eigenvalue: f64,
+    /// What of it is round-off, 1/s².
+    pub round_off: f64,
     /// Whether it is surely the softest one.
     pub is_found: bool,
     /// The motion, a change of the coordinates with `xᵀ M x = 1`.
@@ -51,7 +56,7 @@ pub struct Softest {
 impl Softest {
     /// Whether no motion releases energy, because this one does not.
     pub fn is_stable(&self) -> bool {
-        self.is_found && self.eigenvalue >= 0.0
+        self.is_found && self.eigenvalue >= -self.round_off
     }
 }
 
@@ -59,13 +64,31 @@ impl Softest {
 #[derive(Debug, Default)]
 pub struct Stability {
     known: Option<StabilityRecord>,
-    remarks: Vec<String>,
+    remarks: Vec<Remark>,
+    critical: Option<f64>,
+}
+
+/// A sentence to be told.
+#[derive(Debug)]
+struct Remark {
+    text: String,
+    /// Whether it is of the stability, which a finer mesh tells better.
+    is_of_stability: bool,
 }
 
 impl Stability {
     /// What is known of the last equilibrium judged.
     pub fn known(&self) -> Option<StabilityRecord> {
         self.known
+    }
+
+    /// When the path has become unstable for the first time, s.
+    pub fn critical(&self) -> Option<f64> {
+        self.critical
+    }
+
+    fn tell(&mut self, text: String) {
+        self.remarks.push(Remark { text, is_of_stability: true });
     }
 
     /// The next equilibrium does not follow from the last one judged.
@@ -98,13 +121,14 @@ impl Stability {
 
     /// Adds a sentence to what there is to be told.
     pub fn add_remark(&mut self, remark: String) {
-        self.remarks.push(remark);
+        self.remarks.push(Remark { text: remark, is_of_stability: false });
     }
 
     /// Remarks that the equilibrium `state`, the first one, is unstable: what would leave it is `softest`.
     pub fn remark_start(&mut self, system: &System, state: &State, softest: &Softest) {
         let (time, moved) = (decimal(state.time), moved(system, state, softest));
-        self.remarks.push(if system.follows_no_potential(&state.excitation) {
+        self.critical.get_or_insert(state.time);
+        self.tell(if system.follows_no_potential(&state.excitation) {
             format!("the stiffness at t = {time} s has an unstable mode, which moves most at {moved}; {UNDECIDED}")
         } else {
             format!(
@@ -122,7 +146,10 @@ impl Stability {
         let critical = from + (to - from) * share;
         let (first, second) = (decimal(before.time), decimal(now.time));
         let when = format!("between t = {first} s and {second} s, by interpolation at t = {critical:.6} s");
-        self.remarks.push(if system.follows_no_potential(&state.excitation) {
+        if now.unstable > 0 {
+            self.critical.get_or_insert(critical);
+        }
+        self.tell(if system.follows_no_potential(&state.excitation) {
             let (change, moved) =
                 (if now.unstable == 0 { "loses its" } else { "gets an" }, moved(system, state, softest));
             format!("the stiffness {change} unstable mode {when}, which moves most at {moved}; {UNDECIDED}")
@@ -138,9 +165,10 @@ impl Stability {
         });
     }
 
-    /// What there is to be told, once.
-    pub fn take_remarks(&mut self) -> Vec<String> {
-        std::mem::take(&mut self.remarks)
+    /// What there is to be told, once; that of the stability if `of_stability`.
+    pub fn take_remarks(&mut self, of_stability: bool) -> Vec<String> {
+        let remarks = std::mem::take(&mut self.remarks).into_iter();
+        remarks.filter(|own| of_stability || !own.is_of_stability).map(|own| own.text).collect()
     }
 }
 
@@ -170,5 +198,6 @@ pub fn softest(system: &System, kkt: &mut Kkt, state: &State) -> Option<Softest>
         sweep += 1;
     }
     let shape = block.vectors().first()?.clone();
-    Some(Softest { eigenvalue: stiffness.form(&shape, &shape), is_found, shape })
+    let (eigenvalue, round_off) = (stiffness.form(&shape, &shape), ROUND_OFF * stiffness.magnitude(&shape));
+    Some(Softest { eigenvalue, round_off, is_found, shape })
 }

@@ -149,3 +149,26 @@ fn copies_have_their_own_surfaces() {
     let moved: Vec<_> = found[..9].iter().map(|[x, y, z]| [*z, *y, 3.0 - x]).collect();
     assert!(farthest(&found[9..], &moved) < 1e-14, "{found:?}");
 }
+
+/// Surfaces that are too large, too small or too far away to compute with are refused in a sentence.
+#[test]
+fn sizes_beyond_numbers_are_refused() {
+    let closed = "curve = { over = [\"a\", \"b\"], closed = true }";
+    let open = "curve = { from = [0, 0, 0], over = [\"a\"], turns = [1], to = [0, 1, 1] }";
+    for curve in [closed, open] {
+        for [radius, distance] in [[1e200, 1e300], [1e-320, 1e-315], [1.0, 1e308], [1e-200, 1e200], [1e308, 1.0]] {
+            let surfaces = [("a", 0.1 * distance), ("b", distance)];
+            let surfaces = surfaces.map(|(name, along)| cylinder(name, [0.0, along, along], radius));
+            let text = format!(
+                "format = 1\n[model]\nname = \"Odd\"\n[section.s]\nshape = \"rigidities\"\nEA = 1e5\nEI_y = 1\n\
+                 EI_z = 1\nGJ = 1\nline_density = 1\n[beam.rope]\nsection = \"s\"\nelements = 8\n{curve}\n{}\n\
+                 [simulation]\nstop = 1\n",
+                surfaces.concat()
+            );
+            let refused = Document::parse("m.toml", &text, &[]).map(|_| ());
+            // A line over a point is one.
+            let is_line = curve == open && radius < 1e-300;
+            assert!(refused.is_err() || is_line, "{curve} {radius:e} {distance:e}");
+        }
+    }
+}

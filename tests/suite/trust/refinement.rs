@@ -437,3 +437,55 @@ fn distance(point: &[f64], path: &[Vec<f64>]) -> f64 {
     };
     path.windows(2).map(from_chord).fold(f64::INFINITY, f64::min)
 }
+
+/// A column of nine spans between rollers buckles under Euler's load of one of them, `π² EI/l²`; `settings` are of the
+/// beam.
+fn column(stop: f64, settings: &str, analysis: &str) -> String {
+    format!(
+        "format = 1\n[model]\nname = \"Column\"\n[section.rod]\nshape = \"rigidities\"\nEA = 1e6\nEI_y = 100\n\
+         EI_z = 120\nGJ = 80\nline_density = 1\n\
+         [beam.rod]\nsection = \"rod\"\nfrom = [0, 0, 0]\nto = [9, 0, 0]\n{settings}\n\
+         [joint.left]\ntype = \"universal\"\na = \"ground\"\nb = \"rod.start\"\naxis = [0, 1, 0]\naxis2 = [0, 0, 1]\n\
+         [copy.rollers]\ncount = 9\n[copy.rollers.joint.roller]\ntype = \"inline\"\na = \"ground\"\nb = \"rod@k/9\"\n\
+         axis = [1, 0, 0]\n\
+         [load.push]\nat = \"rod.end\"\nforce = [\"-2000*t\", 0, 0]\n\
+         [output.tip]\nat = \"rod.end\"\nquantities = [\"displacement\"]\n\
+         [simulation]\nanalysis = \"static\"\n{analysis}stop = {stop}\noutput_step = 0.02\n"
+    )
+}
+
+/// Meshes of the program become finer until the load at which a column buckles is right, too: with one element a span it
+/// is `12/π²` of it, and a load in between is borne on that mesh alone. A percent is the accuracy of the results.
+#[test]
+fn buckling_loads_are_right() {
+    let exact = PI * PI * 100.0 / 2000.0;
+    // Beyond the load of the first mesh, and in between.
+    for stop in [1.0, 0.56] {
+        let (_, outcome, simulation) = repeated(&column(stop, "", ""), &["tip.displacement[1]"], None);
+        let found = simulation.critical_time().expect("it buckles");
+        println!("{stop}: {found} of {exact}, {outcome:?}");
+        assert_eq!(outcome.end, End::Reached);
+        assert!(outcome.runs > 1 && (found / exact - 1.0).abs() < 1e-2, "{stop}: {found} of {exact}");
+    }
+    // Along the path by arc length, rows tell on which side of the point they are.
+    let path = column(0.56, "", "follow = \"arc_length\"\n");
+    let (_, outcome, _) = repeated(&path, &["tip.displacement[1]"], None);
+    println!("{outcome:?}");
+    assert!(outcome.end == End::Reached && outcome.runs > 1, "{outcome:?}");
+}
+
+/// A given mesh is kept, and the run warns of the load at which it buckles, or that it hides that the column does.
+#[test]
+fn given_meshes_tell_errors_of_buckling_loads() {
+    let warnings = |stop: f64, elements: u32| {
+        let mut simulation = load(&column(stop, &format!("elements = {elements}"), ""));
+        run(&mut simulation, &[], |_| {});
+        simulation.take_warnings()
+    };
+    let of_load = warnings(1.0, 9);
+    assert!(of_load.iter().any(|own| own.contains("becomes unstable is off by about 19 %")), "{of_load:?}");
+    let hidden = warnings(0.56, 9);
+    assert!(hidden.iter().any(|own| own.contains("the mesh hides that the structure buckles")), "{hidden:?}");
+    let right = warnings(1.0, 18);
+    assert!(right.iter().all(|own| !own.contains("because of the mesh")), "{right:?}");
+}

@@ -2,6 +2,7 @@
 //! of it as a whole.
 
 use super::Simulation;
+use super::critical::CRITICAL;
 use super::runner::Runner;
 use super::solver::Solver;
 use crate::model::run::accuracy::Inexact;
@@ -79,7 +80,10 @@ impl Simulation {
         let of_steps = errors.max_by(|a, b| a.error.total_cmp(&b.error)).and_then(|worst| worst.warning(setting));
         let is_beside = self.companion.is_some();
         let seen_from = if self.is_compared && !is_beside { "" } else { self.find_mesh_errors() };
-        let errors = self.mesh_errors.iter().filter(|own| self.is_judged(own));
+        let is_critical = |own: &&Inexact| own.name == CRITICAL;
+        let of_stability = self.mesh_errors.iter().find(is_critical).filter(|own| self.is_judged(own));
+        let of_stability = of_stability.and_then(|own| own.warning_of_critical(seen_from));
+        let errors = self.mesh_errors.iter().filter(|own| self.is_judged(own) && !is_critical(own));
         let worst = errors.max_by(|a, b| a.excess().total_cmp(&b.excess()));
         let twists = self.document.beams.iter().any(levels::has_linear_twist);
         let of_mesh = worst.and_then(|worst| worst.warning_of_mesh(seen_from, twists));
@@ -96,7 +100,7 @@ impl Simulation {
         } else {
             self.mesh_known = (self.mesh_errors.clone(), of_mesh.clone());
             let of_both = if of_steps.is_none() && of_mesh.is_none() { self.warning_of_both(setting) } else { None };
-            self.warnings.extend(of_both.into_iter().chain(of_steps).chain(of_mesh));
+            self.warnings.extend(of_both.into_iter().chain(of_steps).chain(of_mesh).chain(of_stability));
         }
         let (begin, end) = (self.document.drawn_at(self.runner.start), self.runner.state.instant());
         let Runner { system, state, .. } = &self.runner;

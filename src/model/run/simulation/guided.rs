@@ -33,6 +33,7 @@ impl Simulation {
         own.guide = self.guide.as_ref().map(|guide| guide.afresh().map(Box::new)).transpose()?;
         own.is_compared = true;
         own.leads = true;
+        own.runner.is_guide = true;
         Ok(own)
     }
 
@@ -44,7 +45,7 @@ impl Simulation {
         guide.initialize(start)?;
         self.warnings.append(&mut guide.warnings);
         runner.set_up(&self.document, responds).map_err(|error| failure(&error))?;
-        runner.settle_on(&guide.runner.system, &guide.runner.state)?;
+        runner.settle_on(&guide.runner.system, &guide.runner.state, true)?;
         Ok(true)
     }
 
@@ -56,17 +57,18 @@ impl Simulation {
         guide.inputs.set_parts(self.inputs.parts());
         guide.advance(end)?;
         self.warnings.append(&mut guide.warnings);
-        self.runner.settle_on(&guide.runner.system, &guide.runner.state)
+        self.runner.settle_on(&guide.runner.system, &guide.runner.state, false)
     }
 }
 
 impl Runner {
-    /// Takes the shape of `from`, an equilibrium of `coarse`, and settles.
-    pub(super) fn settle_on(&mut self, coarse: &System, from: &State) -> Result<(), Failure> {
+    /// Takes the shape of `from`, an equilibrium of `coarse`, and settles; the first one follows from none.
+    pub(super) fn settle_on(&mut self, coarse: &System, from: &State, is_first: bool) -> Result<(), Failure> {
         let Self { system, state, solver: Solver::Statics(statics), .. } = self else { return Ok(()) };
+        let before = (!is_first).then(|| state.clone());
         if !system.take_shape(state, coarse, from) {
             return Err(wrong(String::from("the finer mesh does not divide the elements of the coarser one")));
         }
-        statics.settle(system, state).map_err(|error| failure(&error))
+        statics.settle_after(system, before.as_ref(), state).map_err(|error| failure(&error))
     }
 }

@@ -11,7 +11,7 @@ use crate::model::run::accuracy::{Inexact, ORDER, ORDER_OF_TWIST};
 use crate::model::run::finer::Finer;
 
 /// The mesh error over the difference between both meshes: the finer one keeps a sixteenth of the error (order 4).
-const FINER: f64 = 16.0 / 15.0;
+pub(super) const FINER: f64 = 16.0 / 15.0;
 
 /// An equilibrium of a run.
 #[derive(Debug)]
@@ -162,12 +162,12 @@ impl Simulation {
         let Runner { system, state: last, start, .. } = &self.runner;
         let Some(mut finer) = Finer::new(&self.document, &self.overrides, *start) else { return };
         let mut errors = vec![0.0_f64; self.results.len()];
-        let mut is_known = false;
+        let (mut is_known, mut hides) = (false, false);
         let is_last = state.time == last.time;
         for (state, results) in [(state, results), (last, &self.results)].into_iter().skip(usize::from(is_last)) {
-            let mut finer = match finer.results(system, state) {
-                Ok(Some(finer)) if finer.len() == results.len() => finer,
-                Ok(_) => return,
+            let settled = match finer.settled(system, state) {
+                Ok(Some(settled)) => settled,
+                Ok(None) => return,
                 Err(_) => {
                     self.warnings.push(format!(
                         "the mesh error is not known: on a mesh twice as fine, Newton found no equilibrium near the one at t = {} s. The mesh may be too coarse; take more elements",
@@ -177,8 +177,10 @@ impl Simulation {
                 }
             };
             is_known = true;
-            self.columns.compare_turns(results, &mut finer);
-            for (error, (finer, own)) in errors.iter_mut().zip(finer.iter().zip(results)) {
+            hides |= finer.is_unstable(&settled) && !self.is_unstable_at(state);
+            let mut other = finer.results(&settled);
+            self.columns.compare_turns(results, &mut other);
+            for (error, (finer, own)) in errors.iter_mut().zip(other.iter().zip(results)) {
                 let difference = FINER * (finer - own).abs();
                 *error = if difference.is_nan() { f64::INFINITY } else { error.max(difference) };
             }
@@ -187,5 +189,7 @@ impl Simulation {
             return;
         }
         self.mesh_errors = self.accuracy.errors_of_mesh(&self.columns, &self.measures(), &errors);
+        let of_stability = self.critical_error(&mut finer, hides);
+        self.mesh_errors.extend(of_stability);
     }
 }

@@ -71,16 +71,12 @@ impl Simulation {
         Finer::new(&self.document, &self.overrides, self.runner.start)
     }
 
-    /// Includes how far the equilibrium that is reached is from the nearest one of `finer`; false where that is not
-    /// known.
-    pub fn compare_nearest(&self, finer: &mut Finer, differences: &mut Differences) -> bool {
-        match finer.results(&self.runner.system, &self.runner.state) {
-            Ok(Some(other)) if other.len() == self.results.len() => {
-                differences.include(&self.columns, &self.results, &other);
-                true
-            }
-            _ => false,
-        }
+    /// Includes how far the equilibrium that is reached is from the nearest one of `finer`, and returns whether both are
+    /// stable, or both are not; none where that is not known.
+    pub fn compare_nearest(&self, finer: &mut Finer, differences: &mut Differences) -> Option<bool> {
+        let settled = finer.settled(&self.runner.system, &self.runner.state).ok()??;
+        differences.include(&self.columns, &self.results, &finer.results(&settled));
+        Some(finer.is_unstable(&settled) == self.is_unstable_at(&self.runner.state))
     }
 
     /// How far this run and another one are apart, a family of judged results each, as shares of what it is compared

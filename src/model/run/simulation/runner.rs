@@ -55,6 +55,8 @@ pub(super) struct Runner {
     pub(super) pacing: Option<Pacing>,
     /// The steps of a motion that are given one by one; none: they follow from the two above.
     pub(super) course: Option<Course>,
+    /// A run on a finer mesh follows these equilibria.
+    pub(super) is_guide: bool,
     /// The ends of the steps so far, s; none: nobody asks for them.
     pub(super) ends: Option<Vec<f64>>,
     /// The initialization that the system is from; none yet: no solver. Shared with the snapshots taken since, of which
@@ -93,6 +95,7 @@ impl Runner {
             step: document.largest_step(),
             pacing: document.pacing(start),
             course: None,
+            is_guide: false,
             ends: None,
             initialization: Arc::new(()),
             solver: Solver::None,
@@ -101,9 +104,10 @@ impl Runner {
         }
     }
 
-    /// Takes the course of another runner, and notes the ends of steps if that one does.
+    /// Takes the course of another runner, guides if that one does, and notes the ends of steps.
     pub(super) fn take_course(&mut self, other: &Self) {
         self.course.clone_from(&other.course);
+        self.is_guide = other.is_guide;
         self.ends = other.ends.as_ref().map(|_| Vec::new());
         if let Some(pacing) = &mut self.pacing {
             pacing.is_given = self.course.is_some();
@@ -131,6 +135,11 @@ impl Runner {
     /// Sets up the solver; returns what the user should know of the system.
     pub(super) fn set_up(&mut self, document: &Document, responds: bool) -> Result<Vec<String>, Error> {
         self.solver = Solver::new(document, &self.system, self.pacing)?;
+        if let Solver::Statics(statics) = &mut self.solver
+            && self.is_guide
+        {
+            statics.guide();
+        }
         self.responder = responds.then(|| Box::new(Responder::new(&self.system)));
         Ok(self.system.too_fine_meshes())
     }
