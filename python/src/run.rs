@@ -79,7 +79,17 @@ pub fn run(
         let is_asked = refine.unwrap_or_else(|| is_repeated(simulation.model().document()));
         let mut refinement = if is_asked && last.is_none() { simulation.refine(budget) } else { None };
         let driven = (&*driven, &*inputs);
-        let outcome = advance(&mut simulation, &own_rows, &own_over, driven, film.as_mut(), last, refinement.as_mut());
+        let mut outcome =
+            advance(&mut simulation, &own_rows, &own_over, driven, film.as_mut(), last, refinement.as_mut());
+        while let (Err(_), Some(refinement)) = (&outcome, refinement.as_mut())
+            && !own_over.load(Ordering::Relaxed)
+            && let Some(mut next) = simulation.rescued(refinement)
+        {
+            *locked(&own_rows) = Rows::default();
+            film = new_film(&next);
+            outcome = advance(&mut next, &own_rows, &own_over, driven, film.as_mut(), last, Some(refinement));
+            simulation = next;
+        }
         let mut warnings = simulation.take_warnings();
         let mut settings = None;
         if let Some(refinement) = refinement.as_mut().filter(|_| outcome.is_ok()) {

@@ -34,6 +34,13 @@ impl Simulation {
         Some(Self::of(*next, Vec::new()))
     }
 
+    /// The same model with twice the elements, to be begun anew, where this first run has failed; none where that does
+    /// not help, or is not for the program to choose.
+    pub fn rescued(&self, refinement: &mut Refinement) -> Option<Self> {
+        let next = refinement.rescue(self.model())?;
+        Some(Self::of(*next, Vec::new()))
+    }
+
     /// The numbers that the file must say for a run like this one, the last one that counts.
     pub fn found(&self, refinement: &Refinement) -> Found {
         refinement.found(self.model())

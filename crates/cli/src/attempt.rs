@@ -9,7 +9,7 @@ use super::keeper::{Keeper, Signal, interrupted, kept};
 use super::output::trouble;
 use super::progress::{Plan, bar};
 use super::rows::{Rows, Shared, locked};
-use super::{Stop, complain, failed, stages, start};
+use super::{Stop, complain, failed, say, stages, start};
 use ancf14::fmi::Model;
 use ancf14::model::ranges::Ranges;
 use ancf14::model::refinement::Refinement;
@@ -142,39 +142,76 @@ impl Attempt {
     ) -> Result<(), End> {
         self.conclude();
         while let Some(simulation) = refinement.judge(&self.simulation) {
-            let mut results = Results::new(simulation.variables(), script.plan.count);
-            if self.results.is_kept() {
-                results.keep();
-            }
-            let (film, ranges) =
-                (self.film.as_ref().map(|_| Film::new(&simulation, script.plan.count)), simulation.ranges());
-            let rows = Rows::shared(folder.file(NEXT));
-            let mut next = Self { simulation: *simulation, results, ranges, rows, film, held: Vec::new() };
-            locked(&self.rows).finish().map_err(End::Write)?;
-            let outcome = next.run(script, Some(refinement), keeper, true);
-            let finished = locked(&next.rows).finish();
-            match outcome {
-                Ok(()) => {
-                    finished.map_err(End::Write)?;
-                    next.conclude();
-                    let own = locked(&self.rows).path.clone();
-                    fs::rename(folder.file(NEXT), &own).map_err(End::Write)?;
-                    locked(&next.rows).path = own;
-                    *self = next;
-                }
-                Err(End::Model(stop)) => {
-                    // It may have no row.
-                    let _ = fs::remove_file(folder.file(NEXT));
-                    refinement.fail(stop.reason());
-                }
-                Err(end) => {
-                    let _ = fs::remove_file(folder.file(NEXT));
-                    return Err(end);
-                }
+            match self.replace(*simulation, script, refinement, (folder, keeper))? {
+                Ok(()) => self.conclude(),
+                Err((_, stop)) => refinement.fail(stop.reason()),
             }
         }
         self.held.extend(refinement.outcome(&self.simulation).warning());
         Ok(())
+    }
+
+    /// Begins anew on finer meshes where the first run has failed with `failure` on a mesh of the program; where all
+    /// fail, the first one stays.
+    ///
+    /// # Errors
+    /// All fail, or as of [`Self::repeat`].
+    pub fn rescue(
+        &mut self,
+        failure: Stop,
+        script: Script<'_>,
+        refinement: &mut Refinement,
+        (folder, keeper): (&Folder, &Keeper),
+    ) -> Result<(), End> {
+        let mut next = refinement.rescue(&self.simulation);
+        while let Some(simulation) = next {
+            match self.replace(*simulation, script, refinement, (folder, keeper))? {
+                Ok(()) => {
+                    let elements = self.simulation.elements();
+                    let reason = failure.reason();
+                    let reason = reason.split(": ").next().unwrap_or_default();
+                    let told = format!("with fewer elements the run failed ({reason}); it began anew with {elements}");
+                    return say(&told).map_err(End::Model);
+                }
+                Err((failed, _)) => next = refinement.rescue(&failed),
+            }
+        }
+        Err(End::Model(failure))
+    }
+
+    /// Runs `simulation`, and takes its place where that comes to its end; else what has failed, and why.
+    fn replace(
+        &mut self,
+        simulation: Simulation,
+        script: Script<'_>,
+        refinement: &mut Refinement,
+        (folder, keeper): (&Folder, &Keeper),
+    ) -> Result<Result<(), (Simulation, Stop)>, End> {
+        let mut results = Results::new(simulation.variables(), script.plan.count);
+        if self.results.is_kept() {
+            results.keep();
+        }
+        let (film, ranges) =
+            (self.film.as_ref().map(|_| Film::new(&simulation, script.plan.count)), simulation.ranges());
+        let rows = Rows::shared(folder.file(NEXT));
+        let mut next = Self { simulation, results, ranges, rows, film, held: Vec::new() };
+        locked(&self.rows).finish().map_err(End::Write)?;
+        let outcome = next.run(script, Some(refinement), keeper, true);
+        let finished = locked(&next.rows).finish();
+        if let Err(end) = outcome {
+            // It may have no row.
+            let _ = fs::remove_file(folder.file(NEXT));
+            return match end {
+                End::Model(stop) => Ok(Err((next.simulation, stop))),
+                end => Err(end),
+            };
+        }
+        finished.map_err(End::Write)?;
+        let own = locked(&self.rows).path.clone();
+        fs::rename(folder.file(NEXT), &own).map_err(End::Write)?;
+        locked(&next.rows).path = own;
+        *self = next;
+        Ok(Ok(()))
     }
 }
 

@@ -44,9 +44,16 @@ pub fn repeat<L>(
     start(&mut simulation)?;
     let mut held = Vec::new();
     let mut look = begin(&simulation, &mut held)?;
-    let seen = run(&mut simulation, last, refinement.as_mut(), holds.then_some(&mut held), |number, own| {
+    let mut seen = run(&mut simulation, last, refinement.as_mut(), holds.then_some(&mut held), |number, own| {
         row(&mut look, number, own)
     });
+    while let (Err(End::Model(_)), Some(refinement)) = (&seen, refinement.as_mut())
+        && let Some(mut next) = refinement.rescue(&simulation)
+    {
+        held.clear();
+        seen = again(&mut next, (last, refinement), &mut held, (&mut begin, &mut row)).map(|own| look = own);
+        simulation = *next;
+    }
     let mut outcome = seen.map_err(End::stop);
     let (mut found, mut is_torn) = (None, false);
     if let Some(refinement) = refinement.as_mut().filter(|_| outcome.is_ok()) {

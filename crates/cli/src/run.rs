@@ -1,6 +1,6 @@
 //! `run`: initialize, advance from row to row, write, plot, and say what it took.
 
-use super::attempt::{Attempt, NEXT, Script};
+use super::attempt::{Attempt, End, NEXT, Script};
 use super::background;
 use super::conclusion::{self, PAGE, SUMMARY};
 use super::folder::Folder;
@@ -119,8 +119,13 @@ pub fn run(mut simulation: Simulation, directory: &Path, order: Order<'_>) -> Re
     let script = Script { inputs, from: from.as_ref(), plan };
     let mut attempt = Attempt { simulation, results, ranges, rows, film, held: Vec::new() };
     let mut outcome = attempt.run(script, refinement.as_mut(), &keeper, false);
-    if let Some(refinement) = refinement.as_mut().filter(|_| outcome.is_ok()) {
-        outcome = attempt.repeat(script, refinement, &folder, &keeper);
+    if let Some(refinement) = refinement.as_mut() {
+        if let Err(End::Model(failure @ Stop::Failed(_))) = outcome {
+            outcome = attempt.rescue(failure, script, refinement, (&folder, &keeper));
+        }
+        if outcome.is_ok() {
+            outcome = attempt.repeat(script, refinement, &folder, &keeper);
+        }
     }
     let wall = clock.elapsed().as_secs_f64();
     let is_complete = outcome.is_ok();

@@ -40,7 +40,14 @@ pub fn search(mut simulation: Simulation, inputs: Option<&Path>, budget: Option<
     simulation.ask_for_mesh_error(background::start);
     let Some(mut refinement) = Refinement::of(&mut simulation, budget) else { return Ok(None) };
     let mut last = Box::new(simulation);
-    let mut rows = run(&mut last, inputs, |simulation| refinement.look(simulation))?;
+    let mut first = run(&mut last, inputs, |simulation| refinement.look(simulation));
+    while first.is_err()
+        && let Some(next) = refinement.rescue(&last)
+    {
+        last = next;
+        first = run(&mut last, inputs, |simulation| refinement.look(simulation));
+    }
+    let mut rows = first?;
     while let Some(mut next) = refinement.judge(&last) {
         match run(&mut next, inputs, |simulation| refinement.look(simulation)) {
             Ok(found) => (last, rows) = (next, found),

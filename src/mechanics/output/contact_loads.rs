@@ -71,8 +71,8 @@ impl System {
         found
     }
 
-    /// Normal force per undeformed length of all surfaces at a position in an element, N/m: the mean over its half of the
-    /// element. Within that, a curve of third degree lies deeper in one part of a round surface than in another.
+    /// Normal force per undeformed length of all surfaces at a position in an element, N/m: the mean over its half of
+    /// the element. Within that, a curve of third degree lies deeper in one part of a round surface than in another.
     pub fn contact_pressure(&self, (number, xi): (usize, f64), c: &Configuration, passage: &Passage) -> f64 {
         let element = &self.mesh.elements[number];
         let (own, cells) = (((xi * CELLS as f64) as usize).min(CELLS - 1), CELLS as f64);

@@ -181,7 +181,7 @@ impl System {
     }
 
     /// Whether loads act at `excitation` that derive from no potential: follower loads, and moments about axes that
-    /// stand still, the drag of a current, and friction on surfaces. Stability is then no matter of the stiffness alone.
+    /// stand still, drag of a current, and friction on surfaces. Stability is then no matter of the stiffness alone.
     pub fn follows_no_potential(&self, excitation: &Excitation) -> bool {
         self.loads.iter().zip(&excitation.wrenches).any(|(load, wrench)| {
             let follows = load.direction == Direction::Follower && wrench.force != Vec3::zeros();

@@ -12,6 +12,7 @@ mod found;
 pub mod modes;
 mod nearest;
 mod order;
+mod rescue;
 mod words;
 
 pub use self::found::Found;
@@ -20,7 +21,8 @@ use self::order::Coarse;
 use super::run::accuracy::{Differences, Inexact};
 use super::run::levels;
 use super::run::rows;
-use super::run::simulation::{CRITICAL, Simulation};
+use super::run::simulation::Simulation;
+use super::run::simulation::critical::CRITICAL;
 use crate::fmi::Model;
 use crate::model::file::document::Document;
 use crate::model::file::entries::simulation::{Analysis, Follow};
@@ -104,6 +106,8 @@ pub struct Refinement {
     /// Costs of the first run, and of all after it, in steps times elements.
     costs: [f64; 2],
     runs: u32,
+    /// How many runs have failed before the first one that counts.
+    rescues: u32,
     /// Equilibria have no steps, and their meshes are divided in two.
     is_motion: bool,
     /// Whether the program chooses the steps.
@@ -168,6 +172,7 @@ impl Refinement {
             budget,
             costs: [0.0; 2],
             runs: 0,
+            rescues: 0,
             is_motion,
             chooses_steps,
             chosen,
@@ -210,7 +215,7 @@ impl Refinement {
         let rows = self.nearest.as_ref().map_or(0, |nearest| nearest.rows);
         let cost = simulation.cost() + simulation.cost_of_finer(rows);
         match self.runs {
-            1 => self.costs[0] = cost.max(1.0),
+            1 => self.costs = [cost.max(1.0), 0.0],
             _ => self.costs[1] += cost,
         }
         self.divided *= self.ratios[0];
@@ -230,10 +235,15 @@ impl Refinement {
             let [before, own] = &mut self.rows;
             std::mem::swap(before, own);
             own.clear();
-            self.differences = Differences::default();
-            self.nearest = self.nearest.take().map(|_| Nearest::default());
+            self.forget_rows();
         }
         next
+    }
+
+    /// Forgets how far the rows so far are from those of another run.
+    fn forget_rows(&mut self) {
+        self.differences = Differences::default();
+        self.nearest = self.nearest.take().map(|_| Nearest::default());
     }
 
     /// Takes back the run that was to come: it failed, and the one before it counts.
@@ -243,10 +253,9 @@ impl Refinement {
 
     /// Sums up the runs so far.
     pub fn outcome(&self, simulation: &Simulation) -> Outcome {
-        let elements = simulation.document().beams.iter().map(|beam| levels::elements(simulation.document(), beam));
         Outcome {
             runs: self.runs,
-            elements: elements.sum(),
+            elements: simulation.elements(),
             chooses_mesh: self.chosen.contains(&true),
             keeps_steps: self.keeps_steps(),
             is_motion: self.is_motion,

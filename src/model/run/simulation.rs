@@ -5,7 +5,7 @@ mod at_instant;
 pub mod campbell;
 mod companion;
 mod conclusion;
-mod critical;
+pub mod critical;
 mod derivatives;
 mod first_state;
 mod given;
@@ -29,7 +29,6 @@ pub mod steady;
 mod stepping;
 
 pub use companion::{Beside, Companion, Halt, Lost, Placement, Row};
-pub use critical::CRITICAL;
 pub use first_state::{FirstState, ReadState};
 pub use kept::{Beginning, Kept};
 pub use saved::Snapshot;

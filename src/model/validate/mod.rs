@@ -117,8 +117,8 @@ pub fn examine(document: &Document) -> (Lines, Vec<Diagnostic>) {
         checker.fraction(&point.on);
     }
     for surface in &document.surfaces {
-        if let Shape::Box { axes, .. } = surface.shape {
-            checker.check_axes(&format!("surface {}", surface.name), "box", axes);
+        if let Shape::Box { edges, .. } = surface.shape {
+            checker.check_axes(&format!("surface {}", surface.name), "box", edges);
         }
     }
     for joint in &document.joints {

@@ -7,8 +7,8 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 
-/// What a motion must release at an unstable equilibrium, over what it costs at the stable one next to it. A part that
-/// can nearly move freely, as a rope along its post does, costs about nothing in both. A path that goes on becoming
+/// Least energy that a motion releases at an unstable equilibrium, over its cost at the stable one next to it. A part
+/// that can nearly move freely, as a rope along its post does, costs about nothing in both. A path that goes on becoming
 /// unstable is seen one increment later.
 const NEUTRAL: f64 = 0.02;
 

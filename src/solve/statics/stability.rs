@@ -45,7 +45,7 @@ pub struct StabilityRecord {
 pub struct Softest {
     /// Its `ω²`, 1/s².
     pub eigenvalue: f64,
-    /// What of it is round-off, 1/s².
+    /// Its round-off, 1/s².
     pub round_off: f64,
     /// Whether it is surely the softest one.
     pub is_found: bool,

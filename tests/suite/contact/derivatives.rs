@@ -34,7 +34,7 @@ const SURFACES: [&str; 10] = [
     "shape = \"cone\"\naxis = [0.1, 1, 0]\nradius = 0.5\nend_radius = 0.9\nlength = 2\non = \"wheel\"",
     // An edge along the beam, 18 mm from its axis.
     "shape = \"box\"\nsize = [1.2, 0.5, 0.5]\n\
-     axes = [[0.998890737, 0.033296358, 0.033296358], \
+     edges = [[0.998890737, 0.033296358, 0.033296358], \
      [-0.033314830, 0.999444907, 0.000000000], [-0.033277875, -0.001109263, 0.999445523]]\n\
      offset = [0.067514, -0.226562, 0.031146]\non = \"cart\"",
     "shape = \"box\"\nsize = [1.5, 1, 1]\non = \"wheel\"",

@@ -71,7 +71,7 @@ fn a_bar_along_a_cone() {
 #[test]
 fn a_bar_across_an_edge_and_a_tip() {
     let edge = "shape = \"box\"\nsize = [0.4, 0.4, 0.4]\n\
-                axes = [[0, 1, 0], [\"sqrt(0.5)\", 0, \"sqrt(0.5)\"], [\"sqrt(0.5)\", 0, \"-sqrt(0.5)\"]]\n\
+                edges = [[0, 1, 0], [\"sqrt(0.5)\", 0, \"sqrt(0.5)\"], [\"sqrt(0.5)\", 0, \"-sqrt(0.5)\"]]\n\
                 offset = [0, 0, \"-0.2*sqrt(2)\"]";
     let tip = "shape = \"cone\"\naxis = [0, 0, 1]\nradius = 0.1\nend_radius = 0\nlength = 0.4\noffset = [0, 0, -0.2]";
     for (name, surface) in [("edge", edge), ("tip", tip)] {

@@ -137,14 +137,14 @@ fn meshes_enclose_their_volume() {
     assert_relative_eq!(corner.norm(), 0.2_f64.hypot(0.1), epsilon = 1e-12);
 }
 
-/// Rings, boxes and cones are closed, and a box has its axes in rows: the prism of 24 sides has `12 sin(2π/24)` of the
+/// Rings, boxes and cones are closed, and a box has its edges in rows: the prism of 24 sides has `12 sin(2π/24)` of the
 /// squared radius, and what runs around a ring has that share of `2 R` times its section.
 #[test]
 fn meshes_of_closed_shapes() {
     let text = format!(
         "{MODEL}[surface.eye]\nshape = \"ring\"\naxis = [0, 1, 0]\nradius = 0.3\nwire = 0.05\n\
          [surface.block]\non = \"table\"\nshape = \"box\"\nsize = [0.1, 0.2, 0.4]\n\
-         axes = [[0, 0.6, 0.8], [1, 0, 0], [0, 0.8, -0.6]]\n\
+         edges = [[0, 0.6, 0.8], [1, 0, 0], [0, 0.8, -0.6]]\n\
          [surface.spike]\nshape = \"cone\"\naxis = [0, 0, 1]\nradius = 0.2\nend_radius = 0.1\nlength = 0.6\n"
     );
     let mut recording = Recording::new(&loaded(&text));

@@ -16,6 +16,7 @@ pub mod meshes_of_modes;
 pub mod motion_meshes;
 pub mod refinement;
 pub mod relieved_strains;
+pub mod rescue;
 pub mod scales;
 pub mod shipped_models;
 pub mod time_error;

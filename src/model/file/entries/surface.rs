@@ -24,7 +24,7 @@ pub(super) const KEYS: &[Key] = &[
     Key::number(&[&GROOVE]),
     Key::number(&[&WIRE]),
     Key::list(&[&SIZE], "3"),
-    Key::global(&[&AXES], Role::Axes),
+    Key::global(&[&EDGES], Role::Axes),
     Key::number(&[&END_RADIUS]),
     Key::flag("inside", "true: beams touch the cylinder or the sphere from inside"),
 ];
@@ -51,8 +51,9 @@ const LENGTH: Rule =
     Rule::new("length", "length of the cylinder; without it, the cylinder has no ends", "m").above(0.0);
 const CONE_LENGTH: Rule = Rule::new("length", "length of the cone along its axis", "m").above(0.0);
 const WIRE: Rule = Rule::new("wire", "radius of the wire of a ring, less than that of the ring", "m").above(0.0);
-const SIZE: Rule = Rule::new("size", "extents of the box along its axes", "m").above(0.0);
-const AXES: Rule = Rule::new("axes", "axes of the box as drawn, global, one per row; by default the global ones", "");
+const SIZE: Rule = Rule::new("size", "extents of the box along its edges", "m").above(0.0);
+const EDGES: Rule =
+    Rule::new("edges", "directions of the edges of the box as drawn, global, one per row; by default the axes", "");
 const END_RADIUS: Rule = Rule::new("end_radius", "radius of the cone at the end of its axis; 0: a tip", "m").from(0.0);
 const GROOVE: Rule =
     Rule::new("groove", "radius of the groove of a sheave, in a section along its axis", "m").above(0.0);
@@ -119,7 +120,7 @@ pub enum Shape {
         /// Its extents, m.
         size: [Number; 3],
         /// Their directions, one per row; none: the global axes.
-        axes: Option<[[Number; 3]; 3]>,
+        edges: Option<[[Number; 3]; 3]>,
     },
     /// A cone with flat ends, or with a tip.
     Cone {
@@ -190,7 +191,7 @@ impl Shape {
                 let axis = reader.vector(&AXIS);
                 Self::Ring { axis, radius: reader.number(&RADIUS), wire: reader.number(&WIRE) }
             }
-            Word::Box => Self::Box { size: reader.vector(&SIZE), axes: reader.table(&AXES) },
+            Word::Box => Self::Box { size: reader.vector(&SIZE), edges: reader.table(&EDGES) },
             Word::Cone => {
                 let axis = reader.vector(&AXIS);
                 let radii = [reader.number(&RADIUS), reader.number(&END_RADIUS)];
@@ -239,7 +240,7 @@ impl SurfaceSpec {
             return triad_along(&Vec3::new(-along_x, -along_y, 1.0));
         }
         let vector = |direction: [Number; 3]| Vec3::from(direction.map(|number| numbers.value(number)));
-        if let Shape::Box { axes: Some(rows), .. } = self.shape {
+        if let Shape::Box { edges: Some(rows), .. } = self.shape {
             let [first, second, _] = rows.map(vector);
             return triad_of(&first, &second);
         }

@@ -64,12 +64,14 @@ impl Inexact {
     pub(crate) fn warning_of_critical(&self, seen_from: &str) -> Option<String> {
         if self.error.is_infinite() {
             return Some(format!(
-                "the mesh hides that the structure buckles: {seen_from} has an unstable equilibrium where this one has a stable one. Take more elements"
+                "the mesh hides that the structure buckles: {seen_from} has an unstable equilibrium where this \
+                 one has a stable one. Take more elements"
             ));
         }
         (self.excess() > 1.0).then(|| {
             format!(
-                "the time at which the equilibrium becomes unstable is off by {} because of the mesh, as estimated from {seen_from}. Take more elements",
+                "the time at which the equilibrium becomes unstable is off by {} because of the mesh, as estimated \
+                 from {seen_from}. Take more elements",
                 self.size()
             )
         })

@@ -50,6 +50,22 @@ impl Simulation {
         Ok(other)
     }
 
+    /// Builds the same model with `changes`, not initialized, as the first of its runs.
+    ///
+    /// # Errors
+    /// The changed file makes no model.
+    pub fn begun_anew(&self, changes: Vec<Override>) -> Result<Self, Failure> {
+        let mut other = self.repeated(changes, None)?;
+        other.is_compared = self.is_compared;
+        other.placement.clone_from(&self.placement);
+        Ok(other)
+    }
+
+    /// The number of elements of all beams.
+    pub fn elements(&self) -> usize {
+        self.document.beams.iter().map(|beam| levels::elements(&self.document, beam)).sum()
+    }
+
     /// All results of the row that is reached, as users get them.
     pub fn results(&self) -> &[f64] {
         &self.results
@@ -71,8 +87,8 @@ impl Simulation {
         Finer::new(&self.document, &self.overrides, self.runner.start)
     }
 
-    /// Includes how far the equilibrium that is reached is from the nearest one of `finer`, and returns whether both are
-    /// stable, or both are not; none where that is not known.
+    /// Includes how far the equilibrium that is reached is from the nearest one of `finer`, and returns whether both
+    /// are stable, or both are not; none where that is not known.
     pub fn compare_nearest(&self, finer: &mut Finer, differences: &mut Differences) -> Option<bool> {
         let settled = finer.settled(&self.runner.system, &self.runner.state).ok()??;
         differences.include(&self.columns, &self.results, &finer.results(&settled));

@@ -165,8 +165,9 @@ impl MeshWatch {
         let told: Vec<_> =
             told.map(|(own, force, law)| format!("{force} differ by about {own:.1} % from {law}")).collect();
         Some(format!(
-            "fibers of beam {} strain by about {:.0} % at t = {} s: the law of strain = \"large\", Green's strain times Young's modulus, makes {}; if these should stay in proportion, take strain = \"small\" \
-             for the beam, or a section of shape = \"rigidities\"",
+            "fibers of beam {} strain by about {:.0} % at t = {} s: the law of strain = \"large\", Green's strain \
+             times Young's modulus, makes {}; if these should stay in proportion, take strain = \"small\" for the \
+             beam, or a section of shape = \"rigidities\"",
             system.beam_of(fibers.element).0.name,
             100.0 * fibers.largest(),
             decimal(state.instant()),
