@@ -154,7 +154,7 @@ fn against_path(last: &Simulation, clock: &Clock) -> Result<Option<Inexact>, Str
     let mut own = last.repeated(Vec::new(), None).map_err(|failure| failure.message)?;
     let mut finer = own.twice_as_fine().ok_or("there is no finer mesh")?;
     let (mut differences, mut is_known) = (Differences::default(), true);
-    run(&mut own, clock, |own| is_known &= own.compare_nearest(&mut finer, &mut differences))?;
+    run(&mut own, clock, |own| is_known &= own.compare_nearest(&mut finer, &mut differences).is_some())?;
     if !is_known {
         return Err(String::from("the path of the finer mesh is not found"));
     }

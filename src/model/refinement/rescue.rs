@@ -1,7 +1,7 @@
 //! A first run that fails on a mesh of the program: it begins anew on finer ones.
 //!
-//! Elements that are too long to bend around what they touch find no equilibrium, or distort. Nobody has chosen them, so
-//! that nobody should be asked to choose others.
+//! Elements that are too long to bend around what they touch find no equilibrium, or distort. Nobody has chosen them,
+//! so that nobody should be asked to choose others.
 
 use super::{FINER, LEAST_COST, Refinement};
 use crate::model::run::levels;
@@ -11,8 +11,8 @@ use crate::model::run::simulation::Simulation;
 const MOST_RESCUES: u32 = 3;
 
 impl Refinement {
-    /// The run that begins anew with twice the elements, not initialized; `simulation` is the first one, or the last one
-    /// that this call has returned, and has failed. None where a run has come to its end already, where the file gives
+    /// The run that begins anew with twice the elements, not initialized; `simulation` is the first one, or the last
+    /// one that this call has returned, and has failed. None where a run has come to its end already, where the file gives
     /// the meshes, and where it would take more than half a minute.
     pub fn rescue(&mut self, simulation: &Simulation) -> Option<Box<Simulation>> {
         let (cost, [finer, _]) = (simulation.cost(), FINER);

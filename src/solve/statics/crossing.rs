@@ -8,8 +8,8 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 
 /// Least energy that a motion releases at an unstable equilibrium, over its cost at the stable one next to it. A part
-/// that can nearly move freely, as a rope along its post does, costs about nothing in both. A path that goes on becoming
-/// unstable is seen one increment later.
+/// that can nearly move freely, as a rope along its post does, costs about nothing in both. A path that goes on
+/// becoming unstable is seen one increment later.
 const NEUTRAL: f64 = 0.02;
 
 impl Statics {
@@ -72,7 +72,7 @@ impl Statics {
         let before = self.cost_elsewhere(system, &softest, second, first)?;
         let lost = before - softest.eigenvalue;
         let share = if lost > 0.0 { before / lost } else { f64::NAN };
-        share.is_finite().then(|| first.time + (second.time - first.time) * share)
+        share.is_finite().then_some(first.time + (second.time - first.time) * share)
     }
 
     /// Settles `state`, whose shape is taken from another mesh, as [`Self::settle`] does, and watches the stability of
