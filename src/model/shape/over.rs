@@ -147,7 +147,9 @@ fn round<'a>(
     let on_carrier = || Some(carriers::position(document, spec.on)? + carriers::axes(document, spec.on)? * offset);
     let Some(middle) = (if spec.on == Spot::Ground { Some(offset) } else { on_carrier() }) else { return Ok(None) };
     let radius = document.value(own) + distance;
-    let is_sound = radius > 0.0 && radius.is_finite() && axes.iter().all(|part| part.is_finite());
+    // A position that is no number is reported where it is written.
+    let is_known = !middle.iter().any(|part| part.is_nan());
+    let is_sound = is_known && radius > 0.0 && radius.is_finite() && axes.iter().all(|part| part.is_finite());
     Ok(is_sound.then_some(Round { spec, middle, axes, radius }))
 }
 

@@ -46,21 +46,27 @@ impl ContactWatch {
         });
         let on_surface = found.map(|(contact, depth, of)| {
             let on = format!("on surface {}", contact.surface.name);
-            (&contact.name, contact.law.stiffness, depth, on, of, "the beam outside of the surface")
+            let sizes = [contact.law.stiffness, depth, contact.radius];
+            (&contact.name, sizes, on, of, "the beam outside of the surface")
         });
         let mutual = || system.beam_contacts.iter().find_map(|contact| soft_beams(contact, &c));
-        let (name, stiffness, depth, on, of, apart) = on_surface.or_else(mutual)?;
+        let (name, [stiffness, depth, radius], on, of, apart) = on_surface.or_else(mutual)?;
         self.warned = true;
+        let remedy = match radius > 0.0 {
+            true => format!(", draw {apart}, or set a smaller {name}.radius, which is {radius} m"),
+            false => format!(", or draw {apart}"),
+        };
         Some(format!(
             "contact {name} is penetrated by {depth:.2e} m {on} at t = {} s, more than {of}: its stiffness of \
-             {stiffness:.2e} N/m2 decides the answer; raise {name}.stiffness, or draw {apart}",
+             {stiffness:.2e} N/m2 decides the answer; raise {name}.stiffness{remedy}",
             decimal(state.instant()),
         ))
     }
 }
 
-/// A contact that is penetrated too far: name, stiffness, depth, where, the bound, and what to draw instead.
-type Soft<'a> = (&'a String, f64, f64, String, &'static str, &'static str);
+/// A contact that is penetrated too far: name; stiffness, depth and radius of the beam; where, the bound, and what to
+/// draw instead.
+type Soft<'a> = (&'a String, [f64; 3], String, &'static str, &'static str);
 
 /// Beams that are too deep inside each other.
 fn soft_beams<'a>(contact: &'a BeamContact, c: &Configuration) -> Option<Soft<'a>> {
@@ -68,6 +74,7 @@ fn soft_beams<'a>(contact: &'a BeamContact, c: &Configuration) -> Option<Soft<'a
     contact.each_meeting(c, &Passage::Rest, &mut |meeting| deepest = deepest.max(meeting.penetration));
     let thinner = contact.strands[0].radius.min(contact.strands[1].radius);
     let on = String::from("between beams");
-    let soft = (&contact.name, contact.law.stiffness, deepest, on, "5 % of the radius of a beam", "the beams apart");
+    let sizes = [contact.law.stiffness, deepest, thinner];
+    let soft = (&contact.name, sizes, on, "5 % of the radius of a beam", "the beams apart");
     (deepest > OF_BEAM * thinner).then_some(soft)
 }
