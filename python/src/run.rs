@@ -51,6 +51,14 @@ struct Rows {
     ranges: Ranges,
 }
 
+impl Rows {
+    /// Takes the rows of a later run; the warnings about the start stay those of the first one.
+    fn take(&mut self, later: Mutex<Self>) {
+        let later = later.into_inner().unwrap_or_else(PoisonError::into_inner);
+        (self.times, self.values, self.ranges) = (later.times, later.values, later.ranges);
+    }
+}
+
 /// How the other thread ended: with the page and what it found, or with an error and the line it names.
 type End = (Result<(), (Error, Option<(String, usize)>)>, Option<String>, Option<FoundSettings>);
 
@@ -81,14 +89,19 @@ pub fn run(
         let driven = (&*driven, &*inputs);
         let mut outcome =
             advance(&mut simulation, &own_rows, &own_over, driven, film.as_mut(), last, refinement.as_mut());
-        while let (Err(_), Some(refinement)) = (&outcome, refinement.as_mut())
-            && !own_over.load(Ordering::Relaxed)
-            && let Some(mut next) = simulation.rescued(refinement)
-        {
-            *locked(&own_rows) = Rows::default();
-            film = new_film(&next);
-            outcome = advance(&mut next, &own_rows, &own_over, driven, film.as_mut(), last, Some(refinement));
-            simulation = next;
+        if let (Err(_), Some(refinement)) = (&outcome, refinement.as_mut()) {
+            let mut next = simulation.rescued(refinement);
+            while let Some(mut own) = next.take().filter(|_| !own_over.load(Ordering::Relaxed)) {
+                let (rows, mut own_film) = (Mutex::new(Rows::default()), new_film(&own));
+                match advance(&mut own, &rows, &own_over, driven, own_film.as_mut(), last, Some(&mut *refinement)) {
+                    Ok(()) => {
+                        locked(&own_rows).take(rows);
+                        (simulation, film, outcome) = (own, own_film, Ok(()));
+                    }
+                    // The first failure is told.
+                    Err(_) => next = own.rescued(refinement),
+                }
+            }
         }
         let mut warnings = simulation.take_warnings();
         let mut settings = None;
@@ -102,10 +115,7 @@ pub fn run(
                     // One that was stopped has fewer rows.
                     Ok(()) if own_over.load(Ordering::Relaxed) => break,
                     Ok(()) => {
-                        let rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
-                        // The warnings about the start stay those of the first run.
-                        let mut own = locked(&own_rows);
-                        (own.times, own.values, own.ranges) = (rows.times, rows.values, rows.ranges);
+                        locked(&own_rows).take(rows);
                         warnings = next.take_warnings();
                         (simulation, film) = (next, next_film);
                     }

@@ -170,7 +170,7 @@ impl Attempt {
                     let elements = self.simulation.elements();
                     let reason = failure.reason();
                     let reason = reason.split(": ").next().unwrap_or_default();
-                    let told = format!("with fewer elements the run failed ({reason}); it began anew with {elements}");
+                    let told = format!("the run failed with fewer elements ({reason}), and began anew with {elements}");
                     return say(&told).map_err(End::Model);
                 }
                 Err((failed, _)) => next = refinement.rescue(&failed),

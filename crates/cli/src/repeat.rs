@@ -47,12 +47,17 @@ pub fn repeat<L>(
     let mut seen = run(&mut simulation, last, refinement.as_mut(), holds.then_some(&mut held), |number, own| {
         row(&mut look, number, own)
     });
-    while let (Err(End::Model(_)), Some(refinement)) = (&seen, refinement.as_mut())
-        && let Some(mut next) = refinement.rescue(&simulation)
-    {
-        held.clear();
-        seen = again(&mut next, (last, refinement), &mut held, (&mut begin, &mut row)).map(|own| look = own);
-        simulation = *next;
+    if let (Err(End::Model(_)), Some(refinement)) = (&seen, refinement.as_mut()) {
+        let mut next = refinement.rescue(&simulation);
+        while let Some(mut own) = next.take() {
+            let mut own_held = Vec::new();
+            match again(&mut own, (last, &mut *refinement), &mut own_held, (&mut begin, &mut row)) {
+                Ok(own_look) => (simulation, look, held, seen) = (*own, own_look, own_held, Ok(())),
+                // The first failure is told.
+                Err(End::Model(_)) => next = refinement.rescue(&own),
+                Err(end) => seen = Err(end),
+            }
+        }
     }
     let mut outcome = seen.map_err(End::stop);
     let (mut found, mut is_torn) = (None, false);

@@ -41,11 +41,13 @@ pub fn search(mut simulation: Simulation, inputs: Option<&Path>, budget: Option<
     let Some(mut refinement) = Refinement::of(&mut simulation, budget) else { return Ok(None) };
     let mut last = Box::new(simulation);
     let mut first = run(&mut last, inputs, |simulation| refinement.look(simulation));
-    while first.is_err()
-        && let Some(next) = refinement.rescue(&last)
-    {
-        last = next;
-        first = run(&mut last, inputs, |simulation| refinement.look(simulation));
+    let mut next = if first.is_err() { refinement.rescue(&last) } else { None };
+    while let Some(mut own) = next.take() {
+        match run(&mut own, inputs, |simulation| refinement.look(simulation)) {
+            Ok(found) => (last, first) = (own, Ok(found)),
+            // The first failure is told.
+            Err(_) => next = refinement.rescue(&own),
+        }
     }
     let mut rows = first?;
     while let Some(mut next) = refinement.judge(&last) {

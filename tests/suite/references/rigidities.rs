@@ -146,6 +146,12 @@ fn the_law_of_large_strain_is_named_where_fibers_strain_far() {
     let words = ["fibers of beam rod strain by about 8 %", "differ by about 0.7 % from EI", "take strain = \"small\""];
     assert!(matches!(&warnings[..], [one] if words.iter().all(|own| one.contains(own))), "{warnings:?}");
     assert_eq!(failure, "");
+    // A bar that is only pulled has no moment to tell of.
+    let (pulled, _) = told("strain = \"large\"", "force = [\"0.2*t*1e4\", 0, 0]");
+    assert!(
+        matches!(&pulled[..], [one] if one.contains("axial forces differ") && !one.contains("bending")),
+        "{pulled:?}"
+    );
     let (warnings, failure) = told("strain = \"large\"\ntwist = \"quadratic\"", WINDING);
     assert_eq!(warnings.len(), 1, "{warnings:?}");
     let words = ["limit point", "mesh is too coarse, or the cause is the law of strain = \"large\" in beam rod"];

@@ -8,6 +8,7 @@ use ancf14::fmi::Model;
 use ancf14::model::refinement::{End, Outcome, Refinement};
 use ancf14::model::rows;
 use ancf14::model::simulation::Simulation;
+use ancf14::model::simulation::critical::CRITICAL;
 use std::f64::consts::PI;
 
 /// 1 kg that its weight falls on a mount of 100 N/m: `z = -g/ω² (1 - cos ωt)` with `ω = 10 rad/s`.
@@ -465,6 +466,7 @@ fn buckling_loads_are_right() {
         let found = simulation.critical_time().expect("it buckles");
         println!("{stop}: {found} of {exact}, {outcome:?}");
         assert_eq!(outcome.end, End::Reached);
+        assert!(outcome.worst.is_some_and(|own| own.name == CRITICAL), "the claim is that of something else");
         assert!(outcome.runs > 1 && (found / exact - 1.0).abs() < 1e-2, "{stop}: {found} of {exact}");
     }
     // Along the path by arc length, rows tell on which side of the point they are.

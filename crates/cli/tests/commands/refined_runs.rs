@@ -155,3 +155,34 @@ fn ranges_are_those_of_the_last_run() {
     run("");
     assert!(!directory.path().join("out/ranges.csv").exists());
 }
+
+/// A rod on the sharp edge of a box, which eight elements cannot bend around. `run` says that it begins anew, and leaves
+/// the rows of the whole run; `tune` and `export` find the same way.
+#[test]
+fn runs_that_fail_on_a_mesh_of_the_program_begin_anew() {
+    const ROD: &str = "format = 1\n[model]\nname = \"Rod\"\ngravity = [0, 0, 0]\n\
+        [section.rod]\nshape = \"rigidities\"\nEA = 5.9e6\nEI_y = 13.4\nEI_z = 13.4\nGJ = 10\nline_density = 0.22\n\
+        outer_diameter = 0.006\n[beam.rod]\nsection = \"rod\"\nfrom = [0, 0, 0]\nto = [0.5, 0, 0]\n\
+        [surface.block]\nshape = \"box\"\nsize = [0.2, 0.2, 0.1]\noffset = [0.5, 0, -0.053]\n\
+        [contact.edge]\nof = \"rod\"\nwith = \"block\"\n\
+        [frame.slide]\nposition = [\"0.15*max(t - 1, 0)\", 0, \"-0.02*min(t, 1)\"]\n\
+        [joint.clamp]\ntype = \"weld\"\na = \"slide\"\nb = \"rod.start\"\n\
+        [output.root]\nat = \"clamp\"\nquantities = [\"reaction_force\"]\n\
+        [simulation]\nanalysis = \"static\"\nstop = 2\noutput_step = 0.02\n";
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path();
+    fs::write(path.join("rod.toml"), ROD).unwrap();
+    let ran = ancf14(path, &["run", "rod.toml", "-o", "out"]);
+    let (out, err) = (text(&ran.stdout), text(&ran.stderr));
+    assert!(ran.status.success() && out.contains("the run failed with fewer elements (") && out.contains("began anew"));
+    assert!(!err.contains("error:"), "{err}");
+    let rows = fs::read_to_string(path.join("out/results.csv")).unwrap().lines().count();
+    assert_eq!(rows, 102);
+    assert!(!path.join("out/results.next.csv").exists());
+    for command in [&["tune", "rod.toml"][..], &["export", "rod.toml", "--vtk", "vtk"]] {
+        let ran = ancf14(path, command);
+        assert!(ran.status.success(), "{command:?}: {}", text(&ran.stderr));
+    }
+    let given = ancf14(path, &["run", "rod.toml", "-o", "given", "--set", "rod.elements=8"]);
+    assert!(!given.status.success(), "{}", text(&given.stdout));
+}
