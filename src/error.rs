@@ -12,6 +12,34 @@ fn short(value: f64) -> f64 {
     format!("{value:.3e}").parse().unwrap_or(value)
 }
 
+/// Two elements that are inside each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Overlap {
+    /// The beam's name.
+    pub beam: String,
+    /// Number of the element in the beam, from 0.
+    pub element: usize,
+    /// Name of the other beam.
+    pub other: String,
+    /// Number of the element in the other beam, from 0.
+    pub touched: usize,
+    /// Distance of the axes at which they touch, m.
+    pub distance: f64,
+}
+
+/// An element that is inside a convex surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inside {
+    /// The beam's name.
+    pub beam: String,
+    /// Number of the element in the beam, from 0.
+    pub element: usize,
+    /// The surface's name.
+    pub surface: String,
+    /// Its least radius, m.
+    pub radius: f64,
+}
+
 /// A failure of mechanics or solver. A failed step leaves the state as it was, but for the counts of iterations and
 /// rejections.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -61,75 +89,41 @@ t = decimal(*.time)
     },
     /// A beam has run through another one, or through itself.
     #[error(
-        "element {element} of {beam} ran through element {touched} of {other} in the step to t = {t} s; try a smaller \
-         step, or a stiffer contact",
-t = decimal(*.time)
-)]
+        "element {} of {} ran through element {} of {} in the step to t = {} s; try a smaller step, or a stiffer contact",
+        overlap.element, overlap.beam, overlap.touched, overlap.other, decimal(*time)
+    )]
     BeamThroughBeam {
         /// Time of the step's end, s.
         time: f64,
-        /// The beam's name.
-        beam: String,
-        /// Number of the element in the beam, from 0.
-        element: usize,
-        /// Name of the other beam.
-        other: String,
-        /// Number of the element in the other beam, from 0.
-        touched: usize,
-        /// Distance of the axes at which they touch, m.
-        distance: f64,
+        /// The elements.
+        overlap: Overlap,
     },
     /// A beam is drawn inside another one, or inside itself.
     #[error(
-        "element {element} of {beam} is drawn inside element {touched} of {other}: their axes are nearer than half the \
-         distance at which they touch, {distance} m; draw them further apart, or set a smaller `radius` of the contact \
-         with both beams in `of`"
+        "element {} of {} is drawn inside element {} of {}: their axes are nearer than half the distance at which they \
+         touch, {} m; draw them further apart, or give the contact a smaller `radius`, which counts for the beams in \
+         `of`",
+        _0.element, _0.beam, _0.touched, _0.other, _0.distance
     )]
-    DrawnInBeam {
-        /// The beam's name.
-        beam: String,
-        /// Number of the element in the beam, from 0.
-        element: usize,
-        /// Name of the other beam.
-        other: String,
-        /// Number of the element in the other beam, from 0.
-        touched: usize,
-        /// Distance of the axes at which they touch, m.
-        distance: f64,
-    },
-    /// A beam is drawn inside a convex surface.
-    #[error(
-        "element {element} of {beam} is drawn inside surface {surface}, deeper than half its radius of {radius:.3} m; \
-         draw the beam outside"
-    )]
-    DrawnInSurface {
-        /// The beam's name.
-        beam: String,
-        /// Number of the element in the beam, from 0.
-        element: usize,
-        /// The surface's name.
-        surface: String,
-        /// Its least radius, m.
-        radius: f64,
-    },
+    DrawnInBeam(Overlap),
     /// A beam has run through a convex surface.
     #[error(
-        "element {element} of {beam} ran through surface {surface} (radius {radius:.3} m) in the step to t = {t} s; \
-         try a smaller step, or a stiffer contact",
-t = decimal(*.time)
-)]
+        "element {} of {} ran through surface {} (radius {:.3} m) in the step to t = {} s; try a smaller step, or a \
+         stiffer contact",
+        inside.element, inside.beam, inside.surface, inside.radius, decimal(*time)
+    )]
     RunThrough {
         /// Time of the step's end, s.
         time: f64,
-        /// The beam's name.
-        beam: String,
-        /// Number of the element in the beam, from 0.
-        element: usize,
-        /// The surface's name.
-        surface: String,
-        /// Its least radius, m.
-        radius: f64,
+        /// The element and the surface.
+        inside: Inside,
     },
+    /// A beam is drawn inside a convex surface.
+    #[error(
+        "element {} of {} is drawn inside surface {}, deeper than half its radius of {:.3} m; draw the beam outside",
+        _0.element, _0.beam, _0.surface, _0.radius
+    )]
+    DrawnInSurface(Inside),
     /// An element is bent, or twisted in one step, too far to be a good approximation.
     #[error("element {element} of {beam} is {what} too far at t = {t} s; try more elements or a smaller step",
 t = decimal(*.time)

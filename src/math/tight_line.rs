@@ -214,6 +214,18 @@ mod tests {
         }
     }
 
+    /// Wheels that are nowhere have a line of no length, which says so.
+    #[test]
+    fn wheels_that_are_nowhere() {
+        for nowhere in [f64::NAN, f64::INFINITY, 1e300] {
+            for closed in [true, false] {
+                let wheels = [wheel([nowhere, 0.0], 0.1, 0), wheel([0.0; 2], 0.2, 0)];
+                let line = TightLine::over(&wheels, closed);
+                assert!(line.is_err() || line.is_ok_and(|line| !line.length.is_finite()), "{nowhere} {closed}");
+            }
+        }
+    }
+
     #[test]
     fn wheels_inside_each_other_have_no_way() {
         let wheels = [wheel([0.0; 2], 0.0, 0), wheel([1.0, 0.0], 0.5, 0), wheel([1.2, 0.0], 0.1, 0)];

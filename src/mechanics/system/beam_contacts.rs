@@ -3,7 +3,7 @@
 use super::System;
 use super::contacts::add_block;
 use super::tangent_layout::TangentLayout;
-use crate::error::Error;
+use crate::error::{Error, Overlap};
 use crate::math::blocks::{Block, Blocks};
 use crate::math::vectors::add_vec3;
 use crate::math::{Mat3, Vec3};
@@ -155,7 +155,8 @@ impl System {
                     [0, 1].map(|side| self.beam_of(contact.strands[side].elements.start + elements[side]));
                 let (beam, other) = (beam.name.clone(), other.name.clone());
                 let distance = contact.distance();
-                return Err(Error::BeamThroughBeam { time, beam, element, other, touched, distance });
+                let overlap = Overlap { beam, element, other, touched, distance };
+                return Err(Error::BeamThroughBeam { time, overlap });
             }
         }
         Ok(())

@@ -2,7 +2,7 @@
 
 use super::System;
 use super::tangent_layout::TangentLayout;
-use crate::error::Error;
+use crate::error::{Error, Inside};
 use crate::math::blocks::Blocks;
 use crate::math::vectors::add_vec3;
 use crate::math::{Mat3, Vec3};
@@ -248,7 +248,8 @@ impl System {
         let Some((contact, number, _)) = found else { return Ok(()) };
         let (beam, element) = self.beam_of(number);
         let (beam, surface) = (beam.name.clone(), contact.surface.name.clone());
-        Err(Error::RunThrough { time, beam, element, surface, radius: contact.surface.shape.radius() })
+        let inside = Inside { beam, element, surface, radius: contact.surface.shape.radius() };
+        Err(Error::RunThrough { time, inside })
     }
 
     /// Calls `take` with the position in element `number`, and with force (N) and moment (N m) on it in global axes, of

@@ -79,12 +79,8 @@ pub fn check_apart(system: &System, state: &State) -> Result<(), Error> {
     let mut cache = FrameCache::default();
     let c = cache.of(system, state);
     system.check_contacts(&c, state, state.time).map_err(|found| match found {
-        Error::BeamThroughBeam { beam, element, other, touched, distance, .. } => {
-            Error::DrawnInBeam { beam, element, other, touched, distance }
-        }
-        Error::RunThrough { beam, element, surface, radius, .. } => {
-            Error::DrawnInSurface { beam, element, surface, radius }
-        }
+        Error::BeamThroughBeam { overlap, .. } => Error::DrawnInBeam(overlap),
+        Error::RunThrough { inside, .. } => Error::DrawnInSurface(inside),
         other => other,
     })
 }

@@ -113,8 +113,8 @@ impl Statics {
                 let slot = system.describe_unknown(index);
                 return Err(singular(match is_held {
                     true => format!(
-                        "{slot} can move freely, and loads turn with what moves, so that no position along it is an \
-                         equilibrium of its own; hold it by a joint, or let the loads point along global axes"
+                        "{slot} can move freely, and forces turn with it, so that none of its positions is an \
+                         equilibrium by itself; hold it by a joint, or let the forces keep their directions"
                     ),
                     false => format!("{slot} and more than {MOST} others can move freely; hold them by joints"),
                 }));

@@ -209,6 +209,21 @@ fn a_moment_about_a_free_axis_is_an_error() {
     run(&mut across, 0.25, 1.0, |_| ());
 }
 
+/// A body that hangs in its center of mass turns freely, and its thrust with it: the error names one motion, not
+/// hundreds.
+#[test]
+fn a_thrust_that_turns_freely_is_an_error() {
+    let text = HEAD.to_owned()
+        + &cable("rope", [0.0; 3], [0.0, 0.0, 20.0], 8)
+        + "[body.drone]\nmass = 4\nposition = [0, 0, 20]\ninertia = [0.05, 0.05, 0.08]\n"
+        + &joint("foot", "universal", "ground", "rope.start")
+        + &joint("hook", "universal", "rope.end", "drone")
+        + "[load.thrust]\nat = \"drone\"\nforce = [0, 0, 500]\nfollower = true\n"
+        + &end("drone", STATIC);
+    let failure = try_start(&text).unwrap_err();
+    assert!(failure.contains("can move freely, and forces turn with it") && !failure.contains("others"), "{failure}");
+}
+
 /// A state that is saved and restored goes on with the same bits: what is held belongs to it.
 #[test]
 fn held_motions_are_saved_and_restored() {

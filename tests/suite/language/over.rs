@@ -172,3 +172,18 @@ fn sizes_beyond_numbers_are_refused() {
         }
     }
 }
+
+/// A body without a position is told, and nothing else of the belt around it.
+#[test]
+fn surfaces_on_broken_bodies_are_left_alone() {
+    let text = format!(
+        "format = 1\n[model]\nname = \"Broken\"\n[section.s]\nshape = \"rigidities\"\nEA = 1e5\nEI_y = 1\nEI_z = 1\n\
+         GJ = 1\nline_density = 1\n[body.large]\nmass = 1\ninertia = [1, 1, 1]\n\
+         [beam.belt]\nsection = \"s\"\nelements = 8\ncurve = {{ over = [\"a\", \"b\"], closed = true }}\n{}{}\n\
+         on = \"large\"\n[simulation]\nstop = 1\n",
+        cylinder("a", [0.0, 0.0, 0.5], 0.05),
+        cylinder("b", [0.0; 3], 0.15)
+    );
+    let mistakes = Document::parse("m.toml", &text, &[]).map(|_| ()).unwrap_err().to_string();
+    assert!(mistakes.contains("position") && !mistakes.contains("belt"), "{mistakes}");
+}

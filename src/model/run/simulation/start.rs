@@ -37,8 +37,8 @@ impl From<Error> for NoStart {
     fn from(error: Error) -> Self {
         match error {
             Error::NotAssembled { .. }
-            | Error::DrawnInBeam { .. }
-            | Error::DrawnInSurface { .. }
+            | Error::DrawnInBeam(_)
+            | Error::DrawnInSurface(_)
             | Error::DriveNotAtZero { .. }
             | Error::WinchNotAtZero { .. }
             | Error::FrameNotAsDrawn { .. } => Self::Refused(failure(&error)),
