@@ -206,6 +206,18 @@ pub trait BeamElement {
         None
     }
 
+    /// Strains at which a section of linear law at `xi` would bear `forces`: Young's modulus times the strains of its
+    /// fibers is the stress of beam theory, `N/A + M z/I`, whatever the law of the beam. `near` as in
+    /// [`Self::strains_under`], and none likewise.
+    fn linear_strains_under(
+        &self,
+        _xi: f64,
+        _forces: &SectionForces,
+        _near: &SectionStrains,
+    ) -> Option<SectionStrains> {
+        None
+    }
+
     /// Strains whose elastic forces would be the viscous ones of the section at `xi`, at `instant`.
     fn viscous_strains(&self, _c: &BeamConfiguration, _xi: f64, _instant: &Instant) -> SectionStrains {
         SectionStrains::default()

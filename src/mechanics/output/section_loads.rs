@@ -33,6 +33,13 @@ pub struct SectionWrench {
     pub moment: [f64; 3],
 }
 
+impl SectionWrench {
+    /// All but the shear forces, of which the law of a section knows nothing.
+    fn along_axis(&self) -> SectionForces {
+        SectionForces { axial: self.force[0], moment: self.moment }
+    }
+}
+
 /// All that acts at an instant.
 #[derive(Clone, Copy, Debug)]
 pub struct SectionLoads<'a> {
@@ -220,23 +227,40 @@ impl ElementBalance<'_> {
     }
 
     /// Strains of `section`, a section of this element: those whose elastic stress bears `forces` together with the
-    /// viscous stress; `with_viscous` adds the strains whose elastic stress would be the viscous one.
-    pub fn strains(&self, section: &Section, forces: &SectionWrench, with_viscous: bool) -> SectionStrains {
+    /// viscous stress.
+    pub fn strains(&self, section: &Section, forces: &SectionWrench) -> SectionStrains {
+        let (element, by_coordinates) = self.known(section);
+        let viscous = self.viscous_strains(section);
+        element.strains_under(section.xi, &forces.along_axis(), [&viscous, &by_coordinates]).unwrap_or(by_coordinates)
+    }
+
+    /// Strains of `section` that make the stress of beam theory by Young's modulus, the viscous stress included.
+    pub fn stress_strains(&self, section: &Section, forces: &SectionWrench) -> SectionStrains {
+        let (element, by_coordinates) = self.known(section);
+        element.linear_strains_under(section.xi, &forces.along_axis(), &by_coordinates).unwrap_or_else(|| {
+            let viscous = self.viscous_strains(section);
+            SectionStrains {
+                axial: by_coordinates.axial + viscous.axial,
+                curvature: [0, 1].map(|axis| by_coordinates.curvature[axis] + viscous.curvature[axis]),
+                torsion: by_coordinates.torsion + viscous.torsion,
+            }
+        })
+    }
+
+    /// The element, and the strains of `section` by its coordinates.
+    fn known(&self, section: &Section) -> (&AnyElement, SectionStrains) {
+        let JointLoads { system, c, .. } = self.loads.joints;
+        (&system.mesh.elements[self.element], section.strains(c))
+    }
+
+    /// Strains of `section` whose elastic stress would be the viscous one.
+    fn viscous_strains(&self, section: &Section) -> SectionStrains {
         let JointLoads { system, c, .. } = *self.loads.joints;
-        let (element, by_coordinates) = (&system.mesh.elements[self.element], section.strains(c));
-        let forces = SectionForces { axial: forces.force[0], moment: forces.moment };
-        let viscous = match element.is_damped() {
+        let element = &system.mesh.elements[self.element];
+        match element.is_damped() {
             true => element.viscous_strains(&c.beams, section.xi, &self.loads.instant(self.element)),
             false => SectionStrains::default(),
-        };
-        let found = element.strains_under(section.xi, &forces, [&viscous, &by_coordinates]);
-        let mut strains = found.unwrap_or(by_coordinates);
-        if with_viscous {
-            strains.axial += viscous.axial;
-            strains.torsion += viscous.torsion;
-            strains.curvature.iter_mut().zip(viscous.curvature).for_each(|(own, viscous)| *own += viscous);
         }
-        strains
     }
 
     /// Turn of the section at `xi` by strains, beyond the pose that loads and springs hold on to, rad.

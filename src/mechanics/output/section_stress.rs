@@ -26,7 +26,7 @@ pub struct LoadedSection<'a> {
 impl LoadedSection<'_> {
     /// Strains of the section; viscous stress is no part of what they bear.
     pub fn strains(&self) -> SectionStrains {
-        self.balance.strains(self.section, &self.wrench, false)
+        self.balance.strains(self.section, &self.wrench)
     }
 }
 
@@ -87,7 +87,7 @@ impl Sensor {
     }
 
     /// The value that `read` gives for the outline, Young's modulus, torque and strains of the section on one side. The
-    /// strains are those of the whole stress, the viscous one included.
+    /// strains are those that the whole stress would have in a linear law.
     fn on_side<T>(
         &self,
         loads: &SectionLoads,
@@ -96,7 +96,7 @@ impl Sensor {
     ) -> Option<T> {
         let ((beam, fraction), loaded) = (self.on_beam?, self.facing(loads, facing)?);
         let beam = &loads.joints.system.beams[beam];
-        let strains = loaded.balance.strains(loaded.section, &loaded.wrench, true);
+        let strains = loaded.balance.stress_strains(loaded.section, &loaded.wrench);
         read(&beam.section_at(fraction).outline, beam.young, loaded.wrench.moment[0], &strains)
     }
 }

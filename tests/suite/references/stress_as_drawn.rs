@@ -181,3 +181,22 @@ fn heat_follows_the_axes_of_a_section_that_turns() {
     let exact = [0.06 * 0.5, 0.06 * 0.5 + 0.06];
     assert!((tip.y.abs() / exact[0] - 1.0).abs() < 1e-2 && (tip.z.abs() / exact[1] - 1.0).abs() < 1e-2, "{tip}");
 }
+
+/// Stress is that of beam theory, `N/A + M z/I`, in every law: a strip that a moment and a force bend and stretch to
+/// more than 1 % of fiber strain.
+#[test]
+fn stress_is_that_of_beam_theory_in_every_law() {
+    for strain in ["small", "large"] {
+        let tip = "[load.bends]\nat = \"strip.end\"\nmoment = [0, \"-900*t\", 0]\nforce = [\"3e4*t\", 0, 0]";
+        let stress =
+            "[output.there]\nat = \"strip.end\"\nquantities = [\"section_force\", \"section_moment\", \"stress\"]";
+        let text = strip(&format!("elements = 8\nstrain = \"{strain}\""), &format!("{tip}\n{stress}\n{STATIC}"));
+        let bent = at_end(&text);
+        let (force, moment) = (value(&bent, "there.section_force[1]"), vector(&bent, "there.section_moment"));
+        let (normal, found) = (force.abs() / AREA + moment.y.abs() * 0.005 / ABOUT_Y, value(&bent, "there.stress"));
+        println!("{strain}: {found:e} Pa, by forces {normal:e} Pa, {} of strain", normal / 2.1e11);
+        assert!(normal > 0.01 * 2.1e11 && moment.x.hypot(moment.z) < 1e-9 * moment.y.abs(), "{normal} {moment}");
+        // Newton finds the strains that bear the forces to round-off.
+        assert!((found / normal - 1.0).abs() < 1e-12, "{strain}: {found:e} {normal:e}");
+    }
+}

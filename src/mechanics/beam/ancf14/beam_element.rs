@@ -315,6 +315,10 @@ impl BeamElement for Element {
         section::strains_under(self, xi, forces, near)
     }
 
+    fn linear_strains_under(&self, xi: f64, forces: &SectionForces, near: &SectionStrains) -> Option<SectionStrains> {
+        section::linear_strains_under(self, xi, forces, near)
+    }
+
     fn viscous_strains(&self, c: &BeamConfiguration, xi: f64, instant: &Instant) -> SectionStrains {
         let rates = self.known_rates(&self.linear_evaluation(c), instant.velocity, instant.strain_rates);
         section::viscous(self, xi, &rates)

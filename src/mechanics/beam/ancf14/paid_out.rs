@@ -424,6 +424,10 @@ impl BeamElement for PaidOut {
         self.drawn.strains_under(xi, forces, near)
     }
 
+    fn linear_strains_under(&self, xi: f64, forces: &SectionForces, near: &SectionStrains) -> Option<SectionStrains> {
+        self.drawn.linear_strains_under(xi, forces, near)
+    }
+
     fn viscous_strains(&self, c: &BeamConfiguration, xi: f64, instant: &Instant) -> SectionStrains {
         let element = self.at(c);
         let rates = self.known_rates(&element.linear_evaluation(c), c, instant.velocity, instant.strain_rates);

@@ -93,16 +93,36 @@ pub fn strains_under(
     [viscous, strains]: [&SectionStrains; 2],
 ) -> Option<SectionStrains> {
     let here = element.section_at(xi);
-    let stiffness = here.stiffness;
     // The viscous stress is linear in the rates.
-    let linear = SectionAt { stiffness: Stiffness { strain: Strain::Small, ..stiffness }, ..here };
+    let viscous = vector_of_forces(&forces_of(&linear(&here), viscous));
+    bearing(&here, vector_of_forces(forces) - viscous, strains)
+}
+
+/// The strains at which the section of `element` at `xi` would bear `forces` if its law were linear, near `strains`.
+/// Young's modulus times the strain of a fiber is then the stress of beam theory, `N/A + M z/I`.
+pub fn linear_strains_under(
+    element: &Element,
+    xi: f64,
+    forces: &SectionForces,
+    strains: &SectionStrains,
+) -> Option<SectionStrains> {
+    bearing(&linear(&element.section_at(xi)), vector_of_forces(forces), strains)
+}
+
+/// The section `here` with a linear law.
+fn linear(here: &SectionAt) -> SectionAt {
+    SectionAt { stiffness: Stiffness { strain: Strain::Small, fourth: [0.0; 3], ..here.stiffness }, ..*here }
+}
+
+/// The strains at which the elastic stress of the section `here` bears `wanted`, near `strains`; none: there are none.
+fn bearing(here: &SectionAt, wanted: Vector4<f64>, strains: &SectionStrains) -> Option<SectionStrains> {
+    let stiffness = &here.stiffness;
     let bending = stiffness.bending_y.max(stiffness.bending_z).max(stiffness.torsion);
     // The size of curvatures that strain fibers by 1.
     let per_length = (stiffness.axial / bending).sqrt().clamp(f64::MIN_POSITIVE, f64::MAX);
     let scales = Vector4::new(1.0, per_length, per_length, per_length);
     let borne =
-        |strains: &Vector4<f64>| vector_of_forces(&forces_of(&here, &strains_of(&strains.component_mul(&scales))));
-    let wanted = vector_of_forces(forces) - vector_of_forces(&forces_of(&linear, viscous));
+        |strains: &Vector4<f64>| vector_of_forces(&forces_of(here, &strains_of(&strains.component_mul(&scales))));
     let mut found = vector_of_strains(strains).component_div(&scales);
     for _ in 0..MOST_CORRECTIONS {
         let mut residual = wanted - borne(&found);
