@@ -157,7 +157,7 @@ pub trait BeamElement {
     /// and weight.
     fn balance(&self, c: &BeamConfiguration, instant: &Instant, inside: &ElementForces) -> Balance;
 
-    /// Positions (0 to 1) with shares of the length (m) at which a load per length acts.
+    /// Positions (0 to 1) with shares of the length as drawn (m) at which a load per length acts.
     fn load_points(&self) -> [(f64, f64); LOAD_POINTS];
 
     /// Generalized force of a load along the whole element, in its own coordinates.

@@ -2,6 +2,7 @@
 //! section.
 
 use crate::math::Vec3;
+use crate::mechanics::beam::element::AnyElement;
 use crate::mechanics::beam::line_load::LineLoad;
 use crate::mechanics::beam::mesh::Mesh;
 use crate::mechanics::force::track::Track;
@@ -155,6 +156,15 @@ impl Load {
                 }
             }
         }
+    }
+
+    /// Power of the components `wrench` by the velocity of material past the mesh of beams that are paid out, W: what
+    /// the forces of [`Self::each_force`] do not do at coordinates that stand still.
+    pub fn passing_power(&self, c: &Configuration, wrench: &Wrench) -> f64 {
+        let Site::Line(elements) = &self.site else { return 0.0 };
+        let (load, paid_out) =
+            (self.along(wrench), c.mesh.elements[elements.clone()].iter().filter_map(AnyElement::paid_out));
+        paid_out.map(|element| element.passing_power(&c.beams, &load)).sum()
     }
 
     /// The components `wrench` as an element sees them.

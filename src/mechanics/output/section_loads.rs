@@ -71,10 +71,10 @@ impl SectionLoads<'_> {
                     let load = &system.loads[number];
                     let line = load.along(&load.at(state.instant(), &state.targets.loads[number]));
                     add(&own.line_force(&c.beams, &line), &mut inside);
-                    let along = along.get_or_insert_default();
+                    let (along, extent) = (along.get_or_insert_default(), own.extent(c.beams.drives));
                     for (sum, (xi, share)) in along.iter_mut().zip(own.load_points()) {
                         let pose = own.section_pose(&c.beams, xi);
-                        let [force, moment] = line.on(share, &pose.axes);
+                        let [force, moment] = line.on(extent * share, &pose.axes);
                         sum.position = pose.place;
                         sum.force += force;
                         sum.moment += moment;

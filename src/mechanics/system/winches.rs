@@ -6,6 +6,7 @@ use crate::math::Vec3;
 use crate::mechanics::beam::ancf14::paid_out::PaidOut;
 use crate::mechanics::beam::ancf14::payout::SMALLEST_EXTENT;
 use crate::mechanics::beam::element::AnyElement;
+use crate::mechanics::input::excitation::Excitation;
 use crate::mechanics::marker::configuration::{Configuration, TimeStep};
 
 /// A beam that is paid out.
@@ -50,6 +51,14 @@ impl System {
     pub(super) fn lifted_by_winches(&self, c: &Configuration, step: &TimeStep, gravity: &Vec3) -> f64 {
         let step = step.of_beams();
         self.paid_out().map(|element| element.lifted(&c.beams, &step, (gravity, &self.origin))).sum()
+    }
+
+    /// Power of loads by the velocity of material past the mesh, W.
+    pub(super) fn passing_power_of_loads(&self, c: &Configuration, excitation: &Excitation) -> f64 {
+        if self.winches.is_empty() {
+            return 0.0;
+        }
+        self.loads.iter().zip(&excitation.wrenches).map(|(load, wrench)| load.passing_power(c, wrench)).sum()
     }
 
     /// Length of the slope of node `node` without load, 1.

@@ -74,8 +74,10 @@ impl System {
         self.add_external(c, &passage, excitation, forces);
         let mut found = StepEnergy { work: -dot(forces, step.increment), ..StepEnergy::default() };
         let of_beams = step.of_beams();
-        // Not part of the work: the energies of that account have no weight in them.
-        found.by_winches = self.lifted_by_winches(c, step, &excitation.gravity);
+        // Not part of the work: the energies of that account have no weight in them, and what loads do to material that
+        // passes, the winch takes.
+        found.by_winches = self.lifted_by_winches(c, step, &excitation.gravity)
+            - step.duration * self.passing_power_of_loads(c, excitation);
         for element in &self.mesh.elements {
             let [energy, taken, given] = element.finish_step(&c.beams, &of_beams, forces, strain_rates);
             found.elastic += energy;
@@ -129,7 +131,8 @@ impl System {
         excitation: &Excitation,
         change: &[f64],
     ) -> [f64; 2] {
-        let (mut of_loads, mut of_actuators) = (0.0, 0.0);
+        let duration = if let Passage::Step(step) = passage { step.duration } else { 1.0 };
+        let (mut of_loads, mut of_actuators) = (duration * self.passing_power_of_loads(c, excitation), 0.0);
         for (load, given) in self.loads.iter().zip(excitation.loads()) {
             load.each_force(c, given, |range, own| of_loads += dot(own, &change[range]));
         }

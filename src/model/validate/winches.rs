@@ -34,15 +34,11 @@ impl Checker<'_> {
         for load in &document.loads {
             match load.target {
                 Target::At(anchor) => held.push(("load", &load.name, anchor)),
-                Target::On(beam) | Target::Moving { beam, .. } if beam == winch.beam => {
-                    let message = format!("winch {} pays out a beam with load {} along it", winch.name, load.name);
-                    let label = "a beam that is paid out has its weight along it, and no other load";
-                    self.mistake(
-                        load.place,
-                        &message,
-                        label,
-                        "apply the load to the far end of the beam, or to another beam",
-                    );
+                Target::Moving { beam, .. } if beam == winch.beam => {
+                    let message = format!("load {} moves along a beam that winch {} pays out", load.name, winch.name);
+                    let label = "a beam that is paid out may have forces per length along it";
+                    let help = "apply the load to the far end of the beam, or to another beam";
+                    self.mistake(load.place, &message, label, help);
                 }
                 Target::On(_) | Target::Moving { .. } => {}
             }

@@ -434,3 +434,30 @@ fn derivatives_by_what_a_winch_pays_out() {
         }
     }
 }
+
+/// Loads along a beam that is paid out act on the length that is out: in the place of gravity they move a hoist as its
+/// weight does, bear on sections alike, and do the work that the weight gives away. Both runs solve the same equations,
+/// to the tolerance of Newton's method.
+#[test]
+fn loads_along_a_beam_that_is_paid_out_are_per_length() {
+    let weight = hoist(SMOOTH, "");
+    let loads = "[load.rope]\non = \"rope\"\nforce = [0, 0, -12]\n[load.hook]\nat = \"load\"\nforce = [0, 0, -200]";
+    let pushed =
+        weight.replace("gravity = [0, 0, -10]", "").replace("[winch.hoist]", &format!("{loads}\n[winch.hoist]"));
+    let [heavy, pushed] = [&weight, &pushed].map(|text| Curves::run(text, &[("simulation.tolerance", "1e-10")]));
+    for name in ["mass.position[3]", "mass.acceleration[3]", "hang.reaction_force[3]", "within.section_force[1]"] {
+        let [own, other] = [&pushed, &heavy].map(|run| run.column(name));
+        let most = other.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let worst = own.iter().zip(&other).fold(0.0, |worst: f64, (own, other)| worst.max((own - other).abs()));
+        assert!(worst < 1e-7 * most, "{name}: {worst} of {most}");
+    }
+    let (work, gravity) = (pushed.column("work.loads"), heavy.column("energy.gravity"));
+    let drift = [&heavy, &pushed]
+        .map(|run| run.column("work.drift").iter().fold(0.0, |most: f64, drift| most.max(drift.abs())));
+    println!("work {} J, drifts {drift:?} J", work.last().unwrap());
+    for (work, own) in work.iter().zip(&gravity) {
+        // As the account of the weight closes: to second order in the step.
+        assert!((work + own - gravity[0]).abs() < 1e-4 * 2000.0, "{work} {own}");
+    }
+    assert!(drift[1] < 1e-4 * 2000.0, "{drift:?}");
+}

@@ -42,7 +42,7 @@ pub struct PaidOut {
     payout: Payout,
     pub(super) transport: Transport,
     /// Distance of its start from the end that is not at the winch, m as drawn.
-    distance: f64,
+    pub(super) distance: f64,
 }
 
 impl PaidOut {
@@ -377,13 +377,13 @@ impl BeamElement for PaidOut {
         self.drawn.load_points()
     }
 
-    /// Per length as drawn, as [`Self::load_points`] are.
     fn line_force(&self, c: &BeamConfiguration, load: &LineLoad) -> ElementForces {
-        BeamElement::line_force(&self.drawn, c, load)
+        let ratio = self.extent(c.drives).ratio;
+        BeamElement::line_force(&self.drawn, c, load).map(|own| ratio * own)
     }
 
     fn add_line_stiffness(&self, c: &BeamConfiguration, load: &LineLoad, factor: f64, block: &mut [f64]) {
-        self.drawn.add_line_stiffness(c, load, factor, block);
+        self.drawn.add_line_stiffness(c, load, factor * self.extent(c.drives).ratio, block);
     }
 
     fn section_pose(&self, c: &BeamConfiguration, xi: f64) -> Pose {

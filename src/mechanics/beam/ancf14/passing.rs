@@ -3,10 +3,12 @@
 use super::coordinates::{ELEMENT, ElementVector, SHAPE_PLACES, interpolate};
 use super::paid_out::PaidOut;
 use super::payout::Extent;
-use crate::math::Vec3;
 use crate::math::vectors::vec3;
+use crate::math::{Vec3, hermite};
 use crate::mechanics::beam::configuration::{BeamConfiguration, Passage};
 use crate::mechanics::beam::element::BeamElement;
+use crate::mechanics::beam::line_load::LineLoad;
+use crate::mechanics::beam::resultants::SectionShape;
 
 impl PaidOut {
     /// `leftᵀ matrix right` of the coordinates of a line.
@@ -72,6 +74,21 @@ impl PaidOut {
         let linear = self.line_form(velocity, &self.transport.first, c.q);
         let square = self.line_form(c.q, &self.transport.square, c.q);
         ratio * rate * (linear + 0.5 * rate * square)
+    }
+
+    /// Power of `load`, which acts per free length, by the motion of the material past the mesh, `c r'`, in which
+    /// sections turn by `c` times their curvatures, W.
+    pub fn passing_power(&self, c: &BeamConfiguration, load: &LineLoad) -> f64 {
+        let (Extent { ratio, rate, .. }, own) = (self.extent(c.drives), self.drawn.own(c.q));
+        let power = |(xi, share): (f64, f64)| {
+            let slope = interpolate(&hermite::shape_x(xi, self.drawn.length), own);
+            let speed = rate * (self.distance - xi * self.drawn.length);
+            let axes = self.drawn.section_pose(c, xi).axes;
+            let SectionShape { curvature: [about_y, about_z], torsion, .. } = self.drawn.section_shape(c, xi);
+            let [force, moment] = load.on(ratio * share, &axes);
+            speed * (force.dot(&slope) + moment.dot(&(axes * Vec3::new(torsion, about_y, about_z))))
+        };
+        self.drawn.load_points().into_iter().map(power).sum()
     }
 
     /// Linear momentum (kg m/s) and angular momentum about the origin (kg m²/s) that the material has beyond those of
