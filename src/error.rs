@@ -89,7 +89,8 @@ t = decimal(*.time)
     },
     /// A beam has run through another one, or through itself.
     #[error(
-        "element {} of {} ran through element {} of {} in the step to t = {} s; try a smaller step, or a stiffer contact",
+        "element {} of {} ran through element {} of {} in the step to t = {} s; try a smaller step, or a stiffer \
+         contact",
         overlap.element, overlap.beam, overlap.touched, overlap.other, decimal(*time)
     )]
     BeamThroughBeam {

@@ -31,6 +31,8 @@
 //!
 //! docs/programming.md has more, in C and C++ too; `examples/` has whole programs.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 pub mod error;
 #[cfg(not(target_family = "wasm"))]
 pub mod ffi;

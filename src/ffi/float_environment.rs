@@ -9,8 +9,6 @@
 pub(super) struct Usual {
     #[cfg(target_arch = "x86_64")]
     of_host: u32,
-    #[cfg(all(target_arch = "x86_64", windows))]
-    _extended: Extended,
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -23,11 +21,7 @@ impl Usual {
         // SAFETY: every processor of this architecture has the register; it is written to a local variable.
         unsafe { std::arch::asm!("stmxcsr [{}]", in(reg) &raw mut of_host, options(nostack, preserves_flags)) };
         load(Self::REGISTER);
-        Self {
-            of_host,
-            #[cfg(windows)]
-            _extended: Extended::enter(),
-        }
+        Self { of_host }
     }
 }
 
@@ -44,41 +38,6 @@ fn load(register: u32) {
     // SAFETY: both values that come here are those of a register; the usual one is what Rust expects, and that of the
     // host is there when no code of this library runs.
     unsafe { std::arch::asm!("ldmxcsr [{}]", in(reg) &raw const register, options(nostack, preserves_flags)) };
-}
-
-/// The precision of the older registers, x87, in the host, until this is dropped. For Windows `cbrt`, `ln_1p` and
-/// `exp_m1` are those of MinGW, which computes them there with the precision that is set: hosts set 53 bits, or 24.
-#[cfg(all(target_arch = "x86_64", windows))]
-struct Extended {
-    of_host: u16,
-}
-
-#[cfg(all(target_arch = "x86_64", windows))]
-impl Extended {
-    /// The control word as programs of MinGW start with it: no traps, round to nearest, 64 bits.
-    const REGISTER: u16 = 0x37f;
-
-    fn enter() -> Self {
-        let mut of_host = 0_u16;
-        // SAFETY: every processor of this architecture has the register; it is written to a local variable.
-        unsafe { std::arch::asm!("fnstcw word ptr [{}]", in(reg) &raw mut of_host, options(nostack, preserves_flags)) };
-        Self::load(Self::REGISTER);
-        Self { of_host }
-    }
-
-    fn load(register: u16) {
-        // SAFETY: both values that come here are those of a register; Rust itself computes nothing in x87.
-        unsafe {
-            std::arch::asm!("fldcw word ptr [{}]", in(reg) &raw const register, options(nostack, preserves_flags))
-        };
-    }
-}
-
-#[cfg(all(target_arch = "x86_64", windows))]
-impl Drop for Extended {
-    fn drop(&mut self) {
-        Self::load(self.of_host);
-    }
 }
 
 /// Other processors that the library is built for have no traps.

@@ -5,6 +5,7 @@
 //! motions have the sums `L` and `N`, and the share is `N/(L + N)`. The unit with the largest share counts.
 
 use super::matrix::Matrix;
+use crate::math::elementary::hypot;
 
 /// The name of the output, and its meaning.
 pub(super) const NAME: &str = "amplitude_error";
@@ -95,7 +96,7 @@ impl Amplitude {
         let mut sums = [Sum::default(); MOST_KINDS];
         for row in 0..self.real.rows {
             let [real, imaginary] = [&self.real, &self.imaginary].map(|matrix| matrix.row_times(row, state));
-            let size = real.hypot(imaginary);
+            let size = hypot(real, imaginary);
             let rate = change.filter(|_| size > 0.0).map_or(0.0, |change| {
                 let rates = [&self.real, &self.imaginary].map(|matrix| matrix.row_times(row, change));
                 (real * rates[0] + imaginary * rates[1]) / size

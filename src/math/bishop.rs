@@ -9,6 +9,7 @@
 use super::Vec3;
 use super::curve::Curve;
 use super::rotation::carry;
+use crate::math::elementary::{atan2, sin_cos};
 
 /// Error of the angle of one stretch, rad: the round-off of `r'` and `r''`.
 const ROUND_OFF: f64 = 1e-15;
@@ -31,7 +32,7 @@ fn stretch(curve: &Curve, from: f64, to: f64, normal: &Vec3, depth: u32) -> Vec3
     }
     let tangent = curve.tangent(to);
     let u = carry(&curve.tangent(from), &tangent, normal);
-    let (sin, cos) = turn(curve, from, to).sin_cos();
+    let (sin, cos) = sin_cos(turn(curve, from, to));
     (u * cos + tangent.cross(&u) * sin).normalize()
 }
 
@@ -50,7 +51,7 @@ pub fn turn(curve: &Curve, from: f64, to: f64) -> f64 {
     let corner = |limit: f64| {
         let (before, after) = (curve.tangent(limit.next_down()), curve.tangent(limit));
         // The solid angle of the triangle of the three tangents.
-        2.0 * base.dot(&before.cross(&after)).atan2(1.0 + base.dot(&before) + before.dot(&after) + after.dot(&base))
+        2.0 * atan2(base.dot(&before.cross(&after)), 1.0 + base.dot(&before) + before.dot(&after) + after.dot(&base))
     };
     curve.integral(&rate, from, to, ROUND_OFF) + curve.limits_between(from, to).map(corner).sum::<f64>()
 }

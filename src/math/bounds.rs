@@ -6,6 +6,7 @@
 
 use super::jet::Jet;
 use super::range::Range;
+use crate::math::elementary::{acos, asin, atan, atan2, cosh, exp, ln, log10, pow, sinh, tan, tanh};
 
 /// Bounds of a function over an interval.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -284,7 +285,7 @@ impl Bounds {
             return self.unbounded().marked(p, p);
         }
         let found = (p * self.ln()).exp();
-        let ends = [self.value.low, self.value.high].map(|base| [base.powf(p.value.low), base.powf(p.value.high)]);
+        let ends = [self.value.low, self.value.high].map(|base| [pow(base, p.value.low), pow(base, p.value.high)]);
         Self { value: Range::of(ends.as_flattened()), ..found }
     }
 
@@ -298,7 +299,7 @@ impl Bounds {
             let value = Range { low: -std::f64::consts::PI, high: std::f64::consts::PI };
             return Self { value, switches: found.switches || !found.follows, ..found };
         }
-        let corners = [x.value.low, x.value.high].map(|x| [y.value.low.atan2(x), y.value.high.atan2(x)]);
+        let corners = [x.value.low, x.value.high].map(|x| [atan2(y.value.low, x), atan2(y.value.high, x)]);
         let square = x.value.power(2) + y.value.power(2);
         let first = (x.value * y.first - y.value * x.first) / square;
         let turn = x.value * y.second - y.value * x.second;
@@ -325,7 +326,7 @@ impl Bounds {
         if cos.low <= 0.0 && cos.high >= 0.0 {
             return self.unbounded();
         }
-        let tan = self.value.rising(f64::tan);
+        let tan = self.value.rising(tan);
         let slope = Range::point(1.0) + tan.power(2);
         self.chain(tan, slope, Range::point(2.0) * tan * slope)
     }
@@ -334,57 +335,57 @@ impl Bounds {
     pub fn asin(self) -> Self {
         let square = Range::point(1.0) - self.value.power(2);
         let slope = Range::point(1.0) / square.root();
-        self.chain(self.value.rising(f64::asin), slope, self.value * slope / square)
+        self.chain(self.value.rising(asin), slope, self.value * slope / square)
     }
 
     /// `acos f`.
     pub fn acos(self) -> Self {
         let square = Range::point(1.0) - self.value.power(2);
         let slope = -(Range::point(1.0) / square.root());
-        self.chain(-self.value.rising(|x| -x.acos()), slope, self.value * slope / square)
+        self.chain(-self.value.rising(|x| -acos(x)), slope, self.value * slope / square)
     }
 
     /// `atan f`.
     pub fn atan(self) -> Self {
         let slope = Range::point(1.0) / (Range::point(1.0) + self.value.power(2));
-        self.chain(self.value.rising(f64::atan), slope, Range::point(-2.0) * self.value * slope.power(2))
+        self.chain(self.value.rising(atan), slope, Range::point(-2.0) * self.value * slope.power(2))
     }
 
     /// `sinh f`.
     pub fn sinh(self) -> Self {
-        let (sinh, cosh) = (self.value.rising(f64::sinh), self.value.size().rising(f64::cosh));
+        let (sinh, cosh) = (self.value.rising(sinh), self.value.size().rising(cosh));
         self.chain(sinh, cosh, sinh)
     }
 
     /// `cosh f`.
     pub fn cosh(self) -> Self {
-        let (sinh, cosh) = (self.value.rising(f64::sinh), self.value.size().rising(f64::cosh));
+        let (sinh, cosh) = (self.value.rising(sinh), self.value.size().rising(cosh));
         self.chain(cosh, sinh, cosh)
     }
 
     /// `tanh f`.
     pub fn tanh(self) -> Self {
-        let tanh = self.value.rising(f64::tanh);
-        let slope = Range::point(1.0) / self.value.size().rising(f64::cosh).power(2);
+        let tanh = self.value.rising(tanh);
+        let slope = Range::point(1.0) / self.value.size().rising(cosh).power(2);
         self.chain(tanh, slope, Range::point(-2.0) * tanh * slope)
     }
 
     /// `exp f`.
     pub fn exp(self) -> Self {
-        let exp = self.value.rising(f64::exp);
+        let exp = self.value.rising(exp);
         self.chain(exp, exp, exp)
     }
 
     /// `ln f`.
     pub fn ln(self) -> Self {
         let slope = Range::point(1.0) / self.value;
-        self.chain(self.value.rising(f64::ln), slope, -slope.power(2))
+        self.chain(self.value.rising(ln), slope, -slope.power(2))
     }
 
     /// `log10 f`.
     pub fn log10(self) -> Self {
         let slope = Range::point(std::f64::consts::LOG10_E) / self.value;
-        self.chain(self.value.rising(f64::log10), slope, -(slope / self.value))
+        self.chain(self.value.rising(log10), slope, -(slope / self.value))
     }
 
     /// `sqrt f`.

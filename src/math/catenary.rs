@@ -5,6 +5,7 @@
 //! force over the weight per length, `a`. On the ground, two arcs of the same `a` end in a straight piece.
 
 use super::jet::Jet;
+use crate::math::elementary::{asinh, atanh, hypot, ln_1p, sinh};
 
 /// Least horizontal distance of the ends, as a share of the length.
 const LEAST_DISTANCE: f64 = 1e-6;
@@ -44,7 +45,7 @@ impl Catenary {
     /// There is none.
     pub fn new(length: f64, end: [f64; 2], ground: Option<f64>) -> Result<Self, NoCatenary> {
         let [distance, rise] = end;
-        let chord = distance.hypot(rise);
+        let chord = hypot(distance, rise);
         if length <= chord * (1.0 + STRAIGHT) {
             return Err(NoCatenary::Short(chord));
         }
@@ -67,11 +68,11 @@ impl Catenary {
     /// Without ground: `√(L² − z²) = 2 a sinh(x/2a)`.
     fn free(length: f64, [distance, rise]: [f64; 2]) -> Self {
         let ratio = (length * length - rise * rise).sqrt() / distance;
-        let u = root([1e-12, 1e3], |u| u.sinh() / u < ratio);
+        let u = root([1e-12, 1e3], |u| sinh(u) / u < ratio);
         let a = distance / (2.0 * u);
-        let first = (rise / length).atanh() - u;
-        let lowest = -a * first.sinh();
-        Self { a, lowest, bottom: [-a * first, a - a.hypot(lowest)], laid: 0.0 }
+        let first = atanh(rise / length) - u;
+        let lowest = -a * sinh(first);
+        Self { a, lowest, bottom: [-a * first, a - hypot(a, lowest)], laid: 0.0 }
     }
 
     /// Both arcs end at the ground, with the ends at these heights above it: `L − x = Σ (σ_i − x_i)`.
@@ -97,10 +98,10 @@ impl Catenary {
         } else {
             (s - lowest - laid, laid)
         };
-        let root = a.hypot(sigma);
+        let root = hypot(a, sigma);
         let cube = root * root * root;
         [
-            Jet { value: x + before + a * (sigma / a).asinh(), first: a / root, second: -a * sigma / cube },
+            Jet { value: x + before + a * asinh(sigma / a), first: a / root, second: -a * sigma / cube },
             Jet { value: z + root - a, first: sigma / root, second: a * a / cube },
         ]
     }
@@ -113,7 +114,7 @@ impl Catenary {
 
 /// `acosh(1 + x)`.
 fn acosh_beyond(x: f64) -> f64 {
-    (x + (x * (x + 2.0)).sqrt()).ln_1p()
+    ln_1p(x + (x * (x + 2.0)).sqrt())
 }
 
 /// Where `is_first` ends in an interval of positive numbers.

@@ -7,6 +7,7 @@
 use super::Vec3;
 use super::curve::Curve;
 use super::integral::Integral;
+use crate::math::elementary::asin;
 
 /// What is wrong with a curve, and where. Lengths in m, angles in rad, `s` the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,7 +109,7 @@ pub fn of_element(curve: &Curve, from: f64, to: f64, length: f64) -> Option<Curv
     let corner = |from, to| unexplained(curve, (from, to), MEASURE, |s| curve.tangent(s), |s| curve.tangent_rate(s));
     let gap = if is_known { corner(from, to) } else { gap };
     let is_known = is_known && gap.missed <= 0.5 * LARGEST_CORNER;
-    let angle = if is_known { 2.0 * (0.5 * gap.value).min(1.0).asin() } else { 0.0 };
+    let angle = if is_known { 2.0 * asin((0.5 * gap.value).min(1.0)) } else { 0.0 };
     if angle > LARGEST_CORNER {
         return Some(CurveDefect::Corner { s: located(from, to, |from, to| corner(from, to).value), angle });
     }

@@ -4,6 +4,7 @@
 //! Chain rule: `g(f)' = g_f f'`, `g(f)'' = g_f f'' + g_ff f'²`. Where `f` does not change (`f' = f'' = 0`) the result
 //! does not either, also where `g_f` is infinite: `sqrt(0)` is a constant.
 
+use crate::math::elementary::{acos, asin, atan, atan2, cosh, exp, ln, log10, pow, sin_cos, sinh, tan, tanh};
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -49,18 +50,18 @@ impl Jet {
 
     /// `f^p`. A constant exponent keeps negative bases with integer exponents; a varying one needs a positive base.
     pub fn power(self, p: Self) -> Self {
-        let value = self.value.powf(p.value);
+        let value = pow(self.value, p.value);
         if p.is_constant() {
             let n = p.value;
             // A vanishing coefficient wins over an infinite power: the second derivative of x^1 at 0 is 0.
             let term = |coefficient: f64, exponent: f64| {
-                if coefficient == 0.0 { 0.0 } else { coefficient * self.value.powf(exponent) }
+                if coefficient == 0.0 { 0.0 } else { coefficient * pow(self.value, exponent) }
             };
             return self.chain(value, term(n, n - 1.0), term(n * (n - 1.0), n - 2.0));
         }
         if self.is_constant() {
             // 0^t is 0 for every positive t, and so are its derivatives.
-            let log = if value == 0.0 { 0.0 } else { self.value.ln() };
+            let log = if value == 0.0 { 0.0 } else { ln(self.value) };
             return p.chain(value, value * log, value * log * log);
         }
         (p * self.ln()).exp().with_value(value)
@@ -70,7 +71,7 @@ impl Jet {
     pub fn atan2(self, x: Self) -> Self {
         let y = self;
         let square = x.value * x.value + y.value * y.value;
-        let value = y.value.atan2(x.value);
+        let value = atan2(y.value, x.value);
         if x.is_constant() && y.is_constant() {
             return Self::constant(value);
         }
@@ -127,19 +128,19 @@ impl Jet {
 
     /// `sin f`.
     pub fn sin(self) -> Self {
-        let (sin, cos) = self.value.sin_cos();
+        let (sin, cos) = sin_cos(self.value);
         self.chain(sin, cos, -sin)
     }
 
     /// `cos f`.
     pub fn cos(self) -> Self {
-        let (sin, cos) = self.value.sin_cos();
+        let (sin, cos) = sin_cos(self.value);
         self.chain(cos, -sin, -cos)
     }
 
     /// `tan f`.
     pub fn tan(self) -> Self {
-        let tan = self.value.tan();
+        let tan = tan(self.value);
         let slope = 1.0 + tan * tan;
         self.chain(tan, slope, 2.0 * tan * slope)
     }
@@ -148,58 +149,58 @@ impl Jet {
     pub fn asin(self) -> Self {
         let square = (1.0 - self.value) * (1.0 + self.value);
         let slope = 1.0 / square.sqrt();
-        self.chain(self.value.asin(), slope, self.value * slope / square)
+        self.chain(asin(self.value), slope, self.value * slope / square)
     }
 
     /// `acos f`, NaN outside [-1, 1].
     pub fn acos(self) -> Self {
         let square = (1.0 - self.value) * (1.0 + self.value);
         let slope = -1.0 / square.sqrt();
-        self.chain(self.value.acos(), slope, self.value * slope / square)
+        self.chain(acos(self.value), slope, self.value * slope / square)
     }
 
     /// `atan f`.
     pub fn atan(self) -> Self {
         let slope = 1.0 / (1.0 + self.value * self.value);
-        self.chain(self.value.atan(), slope, -2.0 * self.value * slope * slope)
+        self.chain(atan(self.value), slope, -2.0 * self.value * slope * slope)
     }
 
     /// `sinh f`.
     pub fn sinh(self) -> Self {
-        let (sinh, cosh) = (self.value.sinh(), self.value.cosh());
+        let (sinh, cosh) = (sinh(self.value), cosh(self.value));
         self.chain(sinh, cosh, sinh)
     }
 
     /// `cosh f`.
     pub fn cosh(self) -> Self {
-        let (sinh, cosh) = (self.value.sinh(), self.value.cosh());
+        let (sinh, cosh) = (sinh(self.value), cosh(self.value));
         self.chain(cosh, sinh, cosh)
     }
 
     /// `tanh f`.
     pub fn tanh(self) -> Self {
-        let tanh = self.value.tanh();
-        let cosh = self.value.cosh();
+        let tanh = tanh(self.value);
+        let cosh = cosh(self.value);
         let slope = 1.0 / (cosh * cosh);
         self.chain(tanh, slope, -2.0 * tanh * slope)
     }
 
     /// `exp f`.
     pub fn exp(self) -> Self {
-        let exp = self.value.exp();
+        let exp = exp(self.value);
         self.chain(exp, exp, exp)
     }
 
     /// `ln f`, NaN below 0.
     pub fn ln(self) -> Self {
         let slope = 1.0 / self.value;
-        self.chain(self.value.ln(), slope, -slope * slope)
+        self.chain(ln(self.value), slope, -slope * slope)
     }
 
     /// `log10 f`, NaN below 0.
     pub fn log10(self) -> Self {
         let slope = std::f64::consts::LOG10_E / self.value;
-        self.chain(self.value.log10(), slope, -slope / self.value)
+        self.chain(log10(self.value), slope, -slope / self.value)
     }
 
     /// `sqrt f`, NaN below 0.

@@ -7,6 +7,7 @@ pub mod bounds;
 pub mod catenary;
 pub mod curve;
 pub mod curve_defect;
+pub mod elementary;
 pub mod hermite;
 pub mod histogram;
 pub mod integral;

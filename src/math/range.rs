@@ -1,6 +1,7 @@
 //! Intervals of real numbers, with the operations that bounds of functions need: `[a, b] + [c, d] = [a + c, b + d]`,
 //! and so on. An operation that has no value for some of the numbers gives all numbers.
 
+use crate::math::elementary::{cos, pow, sin};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The numbers from `low` to `high`.
@@ -87,7 +88,7 @@ impl Range {
         base.rising(|x| x.powi(exponent))
     }
 
-    /// The power with any exponent, as [`f64::powf`] has it.
+    /// The power with any exponent, as [`pow`] has it.
     pub fn to_power(self, exponent: f64) -> Self {
         let is_whole = exponent.fract() == 0.0;
         let is_even = is_whole && exponent % 2.0 == 0.0;
@@ -98,17 +99,17 @@ impl Range {
             return Self::EVERYTHING;
         }
         let base = if is_even { self.size() } else { self };
-        Self::of(&[base.low.powf(exponent), base.high.powf(exponent)])
+        Self::of(&[pow(base.low, exponent), pow(base.high, exponent)])
     }
 
     /// Sines.
     pub fn sin(self) -> Self {
-        self.wave(f64::sin, std::f64::consts::FRAC_PI_2)
+        self.wave(sin, std::f64::consts::FRAC_PI_2)
     }
 
     /// Cosines.
     pub fn cos(self) -> Self {
-        self.wave(f64::cos, 0.0)
+        self.wave(cos, 0.0)
     }
 
     /// The values of a function of period 2 pi that is largest, 1, at `crest`, and smallest, -1, half a period later.

@@ -2,6 +2,7 @@
 
 use super::jet::Jet;
 use super::{Mat3, Vec3};
+use crate::math::elementary::{acos, atan2, cos, sin, sin_cos, tan};
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion};
 
 /// `kb(a, b) = (a × b) / (1 + a·b)`: half the tangent-scaled turn from the unit vector `a` to the unit vector `b`.
@@ -32,14 +33,30 @@ pub fn normal_projector(t: &Vec3) -> Mat3 {
 
 /// Angle of the turn between two triads, rad, 0 to pi.
 pub fn rotation_angle(a: &Mat3, b: &Mat3) -> f64 {
-    (0.5 * (a.tr_mul(b).trace() - 1.0)).clamp(-1.0, 1.0).acos()
+    acos((0.5 * (a.tr_mul(b).trace() - 1.0)).clamp(-1.0, 1.0))
 }
 
 /// The rotation matrix of a rotation vector, rad.
 pub fn rotation_matrix(vector: &Vec3) -> Mat3 {
-    // A vector without a direction has no axis to be divided by its length.
-    if *vector == Vec3::zeros() { Mat3::identity() } else { Rotation3::from_scaled_axis(*vector).into_inner() }
+    let (axis, (sin, cos)) = (direction(vector), sin_cos(vector.norm()));
+    // The part along the axis stays what it is, to the bit.
+    let along = axis * axis.transpose();
+    along + (Mat3::identity() - along) * cos + axis.cross_matrix() * sin
 }
+
+/// The rotation nearest to `matrix`, which is one to some digits: the mean of a matrix and of its inverse transposed is
+/// nearer by twice as many digits.
+pub fn nearest_rotation(matrix: &Mat3) -> Mat3 {
+    let mut turn = *matrix;
+    for _ in 0..MEANS {
+        let Some(inverse) = turn.try_inverse() else { return turn };
+        turn = (turn + inverse.transpose()) * 0.5;
+    }
+    turn
+}
+
+/// Means after which [`nearest_rotation`] has all digits: of 0.1 they leave 1e-2, 1e-4, 1e-8, 1e-16.
+const MEANS: usize = 5;
 
 /// The rotation matrix of a rotation vector that changes in time, rad, with its first two derivatives:
 /// `I + A(x) [v]× + B(x) [v]×²`, `x = v·v`, `A = sin √x/√x`, `B = (1 − cos √x)/x`.
@@ -84,7 +101,7 @@ fn rotation_coefficients(x: f64) -> ([f64; 3], [f64; 3]) {
         };
         return (series(1.0), series(2.0));
     }
-    let (sin, cos) = x.sqrt().sin_cos();
+    let (sin, cos) = sin_cos(x.sqrt());
     let a = sin / x.sqrt();
     let a_x = (cos - a) / (2.0 * x);
     let b = (1.0 - cos) / x;
@@ -116,7 +133,7 @@ pub fn rotation_vector_near(turn: &Mat3, previous: &Vec3) -> Vec3 {
         return axis * (turns * full) + imaginary * 2.0 * w.signum();
     }
     let axis = direction(&imaginary);
-    let angle = 2.0 * sine.atan2(w);
+    let angle = 2.0 * atan2(sine, w);
     let turns = ((previous.dot(&axis) - angle) / full).round();
     axis * (angle + turns * full)
 }
@@ -127,7 +144,7 @@ pub fn rotation_vector_near(turn: &Mat3, previous: &Vec3) -> Vec3 {
 pub fn rotation_between(from: &Vec3, to: &Vec3) -> Vec3 {
     let between = quaternion_of(to) * quaternion_of(from).conjugate();
     let (imaginary, cosine) = (between.imag(), between.w);
-    let half = imaginary.norm().atan2(cosine.abs());
+    let half = atan2(imaginary.norm(), cosine.abs());
     if half > std::f64::consts::FRAC_PI_4 {
         return to - from;
     }
@@ -139,7 +156,7 @@ pub fn rotation_between(from: &Vec3, to: &Vec3) -> Vec3 {
 pub fn rotation_vector_rate(vector: &Vec3, spin: &Vec3) -> Vec3 {
     let angle = vector.norm();
     // 1 − (a/2) cot(a/2), by its series where the quotient is none.
-    let part = if angle < 1e-4 { angle * angle / 12.0 } else { 1.0 - 0.5 * angle / (0.5 * angle).tan() };
+    let part = if angle < 1e-4 { angle * angle / 12.0 } else { 1.0 - 0.5 * angle / tan(0.5 * angle) };
     let axis = direction(vector);
     spin - vector.cross(spin) * 0.5 + axis.cross(&axis.cross(spin)) * part
 }
@@ -148,8 +165,8 @@ pub fn rotation_vector_rate(vector: &Vec3, spin: &Vec3) -> Vec3 {
 pub fn quaternion_of(vector: &Vec3) -> Quaternion<f64> {
     let angle = vector.norm();
     // sin(a/2)/a, by its series where the division loses digits.
-    let scale = if angle < 1e-6 { 0.5 - angle * angle / 48.0 } else { (0.5 * angle).sin() / angle };
-    Quaternion::from_parts((0.5 * angle).cos(), vector * scale)
+    let scale = if angle < 1e-6 { 0.5 - angle * angle / 48.0 } else { sin(0.5 * angle) / angle };
+    Quaternion::from_parts(cos(0.5 * angle), vector * scale)
 }
 
 /// The rotation matrix of a quaternion `[w, x, y, z]` of any length but 0.
@@ -205,6 +222,19 @@ mod tests {
         let skew = axis.cross_matrix();
         assert!((first - skew * turn * 2.0).norm() < 1e-13);
         assert!((second - (skew * skew * 4.0 - skew * 3.0) * turn).norm() < 1e-12);
+    }
+
+    /// Axes as written to some digits are a rotation to all digits, and the nearest one: what they differ by is
+    /// symmetric in its axes.
+    #[test]
+    fn the_nearest_rotation_of_written_axes() {
+        let turn = rotation_matrix(&Vec3::new(0.4, -1.1, 0.7));
+        let written = turn.map(|value| (value * 1e3).round() * 1e-3);
+        let nearest = nearest_rotation(&written);
+        assert!((nearest * nearest.transpose() - Mat3::identity()).norm() < 1e-15);
+        let stretch = nearest.tr_mul(&written);
+        assert!((stretch - stretch.transpose()).norm() < 1e-15 && (nearest - turn).norm() < 1e-3);
+        assert_eq!(nearest_rotation(&Mat3::identity()), Mat3::identity());
     }
 
     /// A wheel that turns on must show an angle that goes on past half a turn and past whole turns, not one that jumps

@@ -5,6 +5,7 @@
 //! at the angle `θ`. It leaves the first wheel `a (sin δ, −cos δ)` from its center. Along the axes the rope rises
 //! evenly, so that its tangent does not jump where pieces meet.
 
+use crate::math::elementary::{asin, atan2, hypot, sin_cos};
 use std::f64::consts::TAU;
 
 /// An arc that is a whole turn but for round-off, rad: the rope passes the wheel without an arc.
@@ -75,7 +76,7 @@ impl TightLine {
         if closed {
             let Run { heading, length } = runs[count - 1];
             let [x, y] = touch(&wheels[count - 1], heading);
-            let (sine, cosine) = heading.sin_cos();
+            let (sine, cosine) = sin_cos(heading);
             line.add(heading, 0.0, 0.5 * length, [x + 0.5 * length * cosine, y + 0.5 * length * sine], None);
             before = Some(heading);
         }
@@ -113,10 +114,10 @@ impl TightLine {
         let Piece { begin, origin: [x, y], radius, heading, .. } = self.pieces[number];
         let along = s - begin;
         if radius == 0.0 {
-            let (sine, cosine) = heading.sin_cos();
+            let (sine, cosine) = sin_cos(heading);
             return [[x + along * cosine, y + along * sine], [cosine, sine], [0.0; 2]];
         }
-        let (sine, cosine) = (heading + along / radius).sin_cos();
+        let (sine, cosine) = sin_cos(heading + along / radius);
         [[x + radius * sine, y - radius * cosine], [cosine, sine], [-sine / radius, cosine / radius]]
     }
 
@@ -135,17 +136,17 @@ impl TightLine {
 /// The straight piece from wheel to wheel; none: one is inside the other.
 fn run(a: &Wheel, b: &Wheel) -> Option<Run> {
     let [x, y] = [b.center[0] - a.center[0], b.center[1] - a.center[1]];
-    let (distance, across) = (x.hypot(y), a.radius - b.radius);
+    let (distance, across) = (hypot(x, y), a.radius - b.radius);
     if distance <= across.abs() {
         return None;
     }
     let length = ((distance - across) * (distance + across)).sqrt();
-    Some(Run { heading: y.atan2(x) + (across / distance).asin(), length })
+    Some(Run { heading: atan2(y, x) + asin(across / distance), length })
 }
 
 /// Where a line with this heading touches a wheel.
 fn touch(wheel: &Wheel, heading: f64) -> [f64; 2] {
-    let (sine, cosine) = heading.sin_cos();
+    let (sine, cosine) = sin_cos(heading);
     [wheel.center[0] + wheel.radius * sine, wheel.center[1] - wheel.radius * cosine]
 }
 

@@ -1,6 +1,12 @@
 //! Vectors in a list of numbers.
 
 use super::Vec3;
+use super::elementary::atan2;
+
+/// The angle between two vectors, rad, 0 to pi.
+pub fn angle_between(a: &Vec3, b: &Vec3) -> f64 {
+    atan2(a.cross(b).norm(), a.dot(b))
+}
 
 /// The three numbers of `q` from `place` on.
 pub fn vec3(q: &[f64], place: usize) -> Vec3 {

@@ -3,6 +3,7 @@
 //! Local y and z go through the centroid, x is the tangent, `z = x × y`. Sections of thin walls are in walls.rs.
 
 use super::material::Material;
+use crate::math::elementary::{atan2, cosh, hypot, sin_cos, tanh};
 use std::f64::consts::PI;
 
 /// Rounding of integrals that a user copies from a table, as a share.
@@ -73,8 +74,8 @@ impl Outline {
         let [about_y, about_z] = curvature;
         let bending = match self {
             Self::Rectangle { width, height } => 0.5 * (height * about_y.abs() + width * about_z.abs()),
-            Self::Circle { radius } | Self::Tube { outer: radius, .. } => radius * about_y.hypot(*about_z),
-            Self::Ellipse { y, z } => (z * about_y).hypot(y * about_z),
+            Self::Circle { radius } | Self::Tube { outer: radius, .. } => radius * hypot(*about_y, *about_z),
+            Self::Ellipse { y, z } => hypot(z * about_y, y * about_z),
             Self::Walls { corners, .. } => {
                 let strains = corners.iter().map(|[y, z]| (axial + z * about_y - y * about_z).abs());
                 return Some(strains.fold(0.0, f64::max));
@@ -103,12 +104,12 @@ impl Outline {
         match self {
             Self::Rectangle { width, height } => Some([-0.5 * width * sign(about_z), 0.5 * height * sign(about_y)]),
             Self::Ellipse { y, z } => {
-                let amount = (z * about_y).hypot(y * about_z).max(f64::MIN_POSITIVE);
+                let amount = hypot(z * about_y, y * about_z).max(f64::MIN_POSITIVE);
                 Some([-y * (y * about_z / amount), z * (z * about_y / amount)])
             }
             Self::Circle { radius } | Self::Tube { outer: radius, .. } => {
                 // Never a division by 0, which hosts may trap.
-                let amount = about_y.hypot(about_z).max(f64::MIN_POSITIVE);
+                let amount = hypot(about_y, about_z).max(f64::MIN_POSITIVE);
                 Some([-radius * (about_z / amount), radius * (about_y / amount)])
             }
             Self::Walls { .. } | Self::General => None,
@@ -242,11 +243,11 @@ impl Section {
             return (0.0, [about_y, about_z]);
         }
         let (mean, half) = (0.5 * (about_y + about_z), 0.5 * (about_z - about_y));
-        let radius = half.hypot(product_moment);
+        let radius = hypot(half, product_moment);
         if half < 0.0 {
-            (0.5 * (-product_moment).atan2(-half), [mean + radius, mean - radius])
+            (0.5 * atan2(-product_moment, -half), [mean + radius, mean - radius])
         } else {
-            (0.5 * product_moment.atan2(half), [mean - radius, mean + radius])
+            (0.5 * atan2(product_moment, half), [mean - radius, mean + radius])
         }
     }
 
@@ -277,7 +278,7 @@ impl Section {
     /// through it, `Iy`, `Iz` and `Iyz`, m⁴.
     fn about_tension_center(&self) -> ([f64; 2], [f64; 3]) {
         let (angle, [about_y, about_z]) = self.principal_axes();
-        let ((sin, cos), [y, z]) = (angle.sin_cos(), self.tension_center);
+        let ((sin, cos), [y, z]) = (sin_cos(angle), self.tension_center);
         let [y, z] = [cos * y + sin * z, cos * z - sin * y];
         ([y, z], [about_y - self.area * z * z, about_z - self.area * y * y, -self.area * y * z])
     }
@@ -398,7 +399,7 @@ pub(super) fn rectangle_torsion_constant(width: f64, height: f64) -> f64 {
     let (long, short) = (width.max(height), width.min(height));
     // The terms fall with n⁻⁵: 40 of them leave less than 1e-9 of the constant; summed from the smallest.
     let series: f64 =
-        (0..40).rev().map(|k| f64::from(2 * k + 1)).map(|n| (n * PI * long / (2.0 * short)).tanh() / n.powi(5)).sum();
+        (0..40).rev().map(|k| f64::from(2 * k + 1)).map(|n| tanh(n * PI * long / (2.0 * short)) / n.powi(5)).sum();
     long * short.powi(3) / 3.0 * (1.0 - 192.0 * short / (PI.powi(5) * long) * series)
 }
 
@@ -407,11 +408,8 @@ pub(super) fn rectangle_torsion_constant(width: f64, height: f64) -> f64 {
 fn rectangle_torsion_modulus(width: f64, height: f64) -> f64 {
     let (long, short) = (width.max(height), width.min(height));
     // The terms fall with exp(−nπ/2) at least: 12 of them leave less than 1e-17.
-    let series: f64 = (0..12)
-        .rev()
-        .map(|k| f64::from(2 * k + 1))
-        .map(|n| 1.0 / (n * n * (n * PI * long / (2.0 * short)).cosh()))
-        .sum();
+    let series: f64 =
+        (0..12).rev().map(|k| f64::from(2 * k + 1)).map(|n| 1.0 / (n * n * cosh(n * PI * long / (2.0 * short)))).sum();
     rectangle_torsion_constant(width, height) / (short * (1.0 - 8.0 / (PI * PI) * series))
 }
 

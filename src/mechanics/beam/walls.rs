@@ -6,6 +6,7 @@
 //! tee or an angle do not twist it.
 
 use super::section::{CORNERS, Outline, Section, rectangle_torsion_constant};
+use crate::math::elementary::sin_cos;
 
 /// A rectangle: its range along y and along z, m.
 #[derive(Clone, Copy, Debug)]
@@ -122,7 +123,7 @@ fn composed(walls: &[Wall], torsion_constant: f64, corners: [[f64; 2]; CORNERS],
 /// `[∫ y⁴ dA, ∫ y² z² dA, ∫ z⁴ dA]` in axes that are turned by `angle`, rad, from
 /// `[∫ y⁴, ∫ y³ z, ∫ y² z², ∫ y z³, ∫ z⁴]`.
 fn turned(angle: f64, [m40, m31, m22, m13, m04]: [f64; 5]) -> [f64; 3] {
-    let (s, c) = angle.sin_cos();
+    let (s, c) = sin_cos(angle);
     let (ss, cc, sc) = (s * s, c * c, s * c);
     let mixed = cc - ss;
     [

@@ -4,6 +4,7 @@
 //! that the sea never repeats itself, and its phase at random; both by splitmix64, which gives the same numbers on
 //! every platform.
 
+use crate::math::elementary::{exp, pow};
 use std::f64::consts::TAU;
 
 /// The range of frequencies, as multiples of that of the peak.
@@ -15,14 +16,14 @@ const INTERVALS: usize = 4000;
 /// Moskowitz's.
 fn shape(ratio: f64, peakedness: f64) -> f64 {
     let width = if ratio <= 1.0 { 0.07 } else { 0.09 };
-    let nearness = (-(ratio - 1.0).powi(2) / (2.0 * width * width)).exp();
-    ratio.powi(-5) * (-1.25 * ratio.powi(-4)).exp() * peakedness.powf(nearness)
+    let nearness = exp(-(ratio - 1.0).powi(2) / (2.0 * width * width));
+    ratio.powi(-5) * exp(-1.25 * ratio.powi(-4)) * pow(peakedness, nearness)
 }
 
 /// Frequencies over that of the peak, with the energy up to each.
 fn energies(peakedness: f64) -> Vec<[f64; 2]> {
     let [from, to] = RANGE;
-    let at = |number: usize| from * (to / from).powf(number as f64 / INTERVALS as f64);
+    let at = |number: usize| from * pow(to / from, number as f64 / INTERVALS as f64);
     let (mut sum, mut list) = (0.0, vec![[from, 0.0]]);
     for number in 0..INTERVALS {
         let [first, last] = [at(number), at(number + 1)];

@@ -6,6 +6,7 @@
 
 use super::flow::Flow;
 use crate::math::Vec3;
+use crate::math::elementary::{cos, exp, exp_m1, sin_cos, tanh};
 
 /// The flow above still water, where the theory of small waves has no water.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -54,7 +55,7 @@ pub struct Waves {
 impl Waves {
     /// The elevation above still water at a point and time, m.
     pub fn elevation(&self, x: f64, y: f64, time: f64) -> f64 {
-        self.components.iter().fold(0.0, |sum, own| sum + own.amplitude * own.angle(x, y, time).cos())
+        self.components.iter().fold(0.0, |sum, own| sum + own.amplitude * cos(own.angle(x, y, time)))
     }
 
     /// The motion at `z` above still water in water of `depth` m, where the elevation is `elevation` m.
@@ -67,7 +68,7 @@ impl Waves {
         };
         let mut flow = Flow::default();
         for own in &self.components {
-            let (sin, cos) = own.angle(x, y, time).sin_cos();
+            let (sin, cos) = sin_cos(own.angle(x, y, time));
             let [level, upward] = decay(own.number, z, depth);
             let speed = own.amplitude * own.frequency;
             let [along_x, along_y] = own.direction;
@@ -81,10 +82,10 @@ impl Waves {
 
 /// `cosh(k (z + h))/sinh(k h)` and `sinh(k (z + h))/sinh(k h)`; without a depth both are `exp(k z)`.
 fn decay(number: f64, z: f64, depth: Option<f64>) -> [f64; 2] {
-    let down = (number * z).exp();
+    let down = exp(number * z);
     let Some(depth) = depth else { return [down; 2] };
     // Without functions that overflow.
-    let (up, whole) = ((-number * (z + 2.0 * depth)).exp(), -(-2.0 * number * depth).exp_m1());
+    let (up, whole) = (exp(-number * (z + 2.0 * depth)), -exp_m1(-2.0 * number * depth));
     [(down + up) / whole, (down - up) / whole]
 }
 
@@ -99,7 +100,7 @@ pub fn wave_number(frequency: f64, gravity: f64, depth: Option<f64>) -> f64 {
     let wanted = deep * depth;
     let mut x = wanted.max(wanted.sqrt());
     for _ in 0..MOST_STEPS {
-        let tanh = x.tanh();
+        let tanh = tanh(x);
         let change = (wanted - x * tanh) / (tanh + x * (1.0 - tanh * tanh));
         x += change;
         if change.abs() <= 1e-15 * x {

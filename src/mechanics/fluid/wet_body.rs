@@ -4,6 +4,7 @@
 //! that of the fluid `u`, `w = u − v`, and `D = A diag A^T` of added masses and of drag areas along its axes `A`. The
 //! share `s` that is wet is that of a sphere of its volume.
 
+use crate::math::elementary::cbrt;
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::body::kinematics::{self, BODY};
@@ -89,7 +90,7 @@ impl Floating {
 impl WetBody {
     /// The share of a body that is wet, `height` m above the surface, and its derivative with respect to it, 1/m.
     fn wet_share(&self, height: f64) -> [f64; 2] {
-        let radius = (0.75 / PI * self.volume).cbrt();
+        let radius = cbrt(0.75 / PI * self.volume);
         if height >= radius {
             return [0.0; 2];
         }

@@ -5,6 +5,7 @@
 //! is wet between. Where the axis crosses the surface steeply, that range is short: quadrature with points at fixed
 //! positions would see forces jump. The range is a part of the element of its own, with a rule of its own.
 
+use crate::math::elementary::acos;
 use crate::math::quadrature::{FOUR_POINTS, FOUR_WEIGHTS};
 use std::f64::consts::PI;
 
@@ -49,7 +50,7 @@ impl AxisPoint {
         let reach = self.reach().max(f64::MIN_POSITIVE);
         let x = (self.height / reach).clamp(-1.0, 1.0);
         let chord = (1.0 - x * x).sqrt();
-        ((x.acos() - x * chord) / PI, -2.0 * chord / (PI * reach))
+        ((acos(x) - x * chord) / PI, -2.0 * chord / (PI * reach))
     }
 }
 

@@ -7,6 +7,7 @@
 //! of the end.
 
 use super::dry_friction::DryFriction;
+use crate::math::elementary::hypot;
 use crate::math::integral::{integral_to_ends, integral_within};
 use std::fmt;
 use std::sync::Arc;
@@ -155,7 +156,7 @@ impl Law {
             }
             Self::Friction { viscous, .. } => LawForce { viscous: viscous * v, by_v: *viscous, ..LawForce::default() },
             Self::SmoothFriction { coulomb, viscous, speed } => {
-                let whole = v.hypot(*speed);
+                let whole = hypot(v, *speed);
                 let by_v = coulomb * (speed / whole).powi(2) / whole + viscous;
                 LawForce { viscous: coulomb * v / whole + viscous * v, by_v, ..LawForce::default() }
             }

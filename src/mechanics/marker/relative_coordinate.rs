@@ -5,6 +5,7 @@
 use super::pose_gradient::{PoseGradient, of_side, pull_back};
 use super::{Marker, own_velocity};
 use crate::math::Vec3;
+use crate::math::elementary::{acos, atan2};
 use crate::mechanics::geometry::marker_jacobian::{MarkerMatrix, MarkerVector};
 use crate::mechanics::geometry::pose::{PLACE, Pose, VECTORS, axis_vector};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
@@ -141,7 +142,7 @@ impl Measure {
             Self::Distance(axis) => a.axis(axis).dot(&apart),
             Self::Angle(axis) => {
                 let (sine, cosine) = turn(axis);
-                near(sine.value(a, b).atan2(cosine.value(a, b)), previous)
+                near(atan2(sine.value(a, b), cosine.value(a, b)), previous)
             }
             Self::Length => apart.norm(),
             Self::Rotation(component) => {
@@ -307,7 +308,7 @@ fn rotation_factor(c: f64) -> [f64; 3] {
         return sums;
     }
     let square = (1.0 - c) * (1.0 + c);
-    let f = c.acos() / square.sqrt();
+    let f = acos(c) / square.sqrt();
     let f_c = (c * f - 1.0) / square;
     [f, f_c, (f + 3.0 * c * f_c) / square]
 }

@@ -4,6 +4,7 @@
 use super::observer::Observer;
 use super::{Marker, own_velocity};
 use crate::math::Vec3;
+use crate::math::elementary::atan2;
 use crate::math::rotation::{quaternion_of, quaternion_of_triad, rotation_matrix, rotation_vector_near};
 use crate::mechanics::beam::Beam;
 use crate::mechanics::beam::resultants::{SectionShape, SectionStrains};
@@ -149,7 +150,7 @@ impl Sensor {
         let drawn = self.seen_drawn().axis(0);
         let now = rotation_matrix(rotation) * drawn;
         // Small angles have no digits in their cosine.
-        drawn.cross(&now).norm().atan2(drawn.dot(&now))
+        atan2(drawn.cross(&now).norm(), drawn.dot(&now))
     }
 
     /// The sections on both sides of a point of a beam: one where the beam ends or within an element, the side before

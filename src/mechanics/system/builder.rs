@@ -10,6 +10,7 @@ mod watching;
 
 use super::System;
 use super::joint_parts::JointParts;
+use crate::math::elementary::sin_cos;
 use crate::math::jet::Jet;
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
@@ -152,7 +153,7 @@ impl SystemBuilder {
                 Node::Ancf14 { start, frame: self.triads.len() - 1 }
             }
             Elements::Ancf24 { .. } => {
-                let (sin, cos) = theta.sin_cos();
+                let (sin, cos) = sin_cos(theta);
                 let v = triad.t.cross(&triad.u);
                 for axis in [triad.u * cos + v * sin, v * cos - triad.u * sin] {
                     push(&axis, &spin.cross(&axis));

@@ -2,6 +2,7 @@
 
 use super::System;
 use super::frame_cache::FrameCache;
+use crate::math::elementary::atan2;
 use crate::math::hermite;
 use crate::math::rotation::carry;
 use crate::math::vectors::set_vec3;
@@ -121,7 +122,7 @@ fn divide(
     let t = slope.normalize();
     let triad = Triad::new(&t, &carry(&begin.t, &t, &begin.u));
     let y = section.axes.column(1);
-    let angle = y.dot(&triad.t.cross(&triad.u)).atan2(y.dot(&triad.u));
+    let angle = atan2(y.dot(&triad.t.cross(&triad.u)), y.dot(&triad.u));
     let before = from.q[element.place.start + THETA];
     let turns = ((before - angle) / TAU).round();
     let start = second.place.start;

@@ -2,6 +2,7 @@
 
 use super::frame_cache::FrameCache;
 use crate::error::Error;
+use crate::math::elementary::atan2;
 use crate::math::rotation::rotation_angle;
 use crate::mechanics::body::kinematics;
 use crate::mechanics::constraint::joint::Joint;
@@ -82,7 +83,7 @@ impl System {
             if !stretch.is_finite() || !STRETCHES.contains(&stretch) {
                 return Err(Error::Stretched { time, place: place(), stretch });
             }
-            let angle = slope.cross(&before).norm().atan2(slope.dot(&before));
+            let angle = atan2(slope.cross(&before).norm(), slope.dot(&before));
             if angle > turn {
                 return Err(Error::Turned { time, place: format!("the tangent at {}", place()), angle, limit: turn });
             }

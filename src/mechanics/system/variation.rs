@@ -6,6 +6,7 @@
 
 use super::System;
 use super::frame_cache::FrameCache;
+use crate::math::elementary::atan2;
 use crate::mechanics::beam::ancf14::coordinates::THETA;
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::geometry::triad::Triad;
@@ -77,5 +78,5 @@ pub fn follow(system: &System, state: &mut State, frames: &mut FrameCache) {
 /// The angle about the tangent by which `to` is turned from `from` carried there, rad.
 fn turn_between(from: &Triad, to: &Triad) -> f64 {
     let carried = from.carried(&to.t);
-    f64::atan2(carried.u.cross(&to.u).dot(&to.t), carried.u.dot(&to.u))
+    atan2(carried.u.cross(&to.u).dot(&to.t), carried.u.dot(&to.u))
 }

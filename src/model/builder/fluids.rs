@@ -1,6 +1,7 @@
 //! The water and the air of the file, with the elements and bodies that they act on.
 
 use super::function_value;
+use crate::math::elementary::sin_cos;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::profile::inside;
 use crate::mechanics::fluid::medium::{Current, Medium, Side};
@@ -131,7 +132,7 @@ fn components(document: &Document, water: &WaterSpec) -> Vec<Component> {
     let (gravity, depth) = (-value(document.model.gravity[2]), water.depth.map(value));
     let mut all = Vec::new();
     for wave in &document.waves {
-        let (sin, cos) = value(wave.direction).sin_cos();
+        let (sin, cos) = sin_cos(value(wave.direction));
         let own = match wave.sea {
             Sea::Regular { height, period, phase } => vec![[0.5 * value(height), TAU / value(period), value(phase)]],
             Sea::Irregular { height, period, peakedness, components, seed } => {

@@ -27,6 +27,7 @@ use super::text::names::Kind;
 use super::validate;
 use crate::math::bounds::Bounds;
 use crate::math::jet::Jet;
+use crate::math::rotation::nearest_rotation;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::geometry::pose::Pose;
 use crate::mechanics::input::signal::{Pieces, Signal, TimeBounds};
@@ -36,7 +37,6 @@ use crate::mechanics::state::energy_account::EnergyAccount;
 use crate::mechanics::system::System;
 use crate::mechanics::system::builder::SystemBuilder;
 use crate::solve::step::mobility::set_mobilities;
-use nalgebra::Rotation3;
 use std::sync::Arc;
 
 /// The system as drawn.
@@ -109,8 +109,7 @@ fn vector(document: &Document, numbers: [Number; 3]) -> Vec3 {
 
 /// The rotation that rows of the file mean, as columns: as written they are orthonormal to some digits.
 fn nearest_axes(document: &Document, rows: [[Number; 3]; 3]) -> Mat3 {
-    let written = Mat3::from_columns(&rows.map(|row| vector(document, row)));
-    *Rotation3::from_matrix(&written).matrix()
+    nearest_rotation(&Mat3::from_columns(&rows.map(|row| vector(document, row))))
 }
 
 /// A number that may vary along a beam, at the arc length `s`, m.

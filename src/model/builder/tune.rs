@@ -2,6 +2,7 @@
 //! and frames to be.
 
 use super::{contacts, foundations, heat, ropes, signal, vector};
+use crate::math::elementary::hypot;
 use crate::math::jet::Jet;
 use crate::math::rotation::{quaternion_matrix, rotation_matrix, rotation_matrix_jet};
 use crate::math::{Mat3, Vec3};
@@ -184,7 +185,7 @@ pub(super) fn axes(orientation: Orientation, value: impl Fn(Number) -> f64) -> O
         Orientation::Rotation(numbers) => Some(rotation_matrix(&Vec3::from(numbers.map(value)))),
         Orientation::Quaternion(numbers) => {
             let [w, x, y, z] = numbers.map(value);
-            let length = Vec3::new(x, y, z).norm().hypot(w);
+            let length = hypot(Vec3::new(x, y, z).norm(), w);
             (length > SHORTEST).then(|| quaternion_matrix([w, x, y, z].map(|part| part / length.max(SHORTEST))))
         }
     }

@@ -1,5 +1,6 @@
 //! Numbers of a copy that is turned or moved: known ones, or expressions where parameters or time are in them.
 
+use crate::math::elementary::sin_cos;
 use crate::model::expression::{LENGTH, Variable, compile};
 use crate::model::text::tree::{Item, Node};
 
@@ -99,7 +100,7 @@ impl Scalar {
     pub fn sin_cos(&self) -> [Self; 2] {
         match self {
             Self::Number(angle) => {
-                let (sin, cos) = angle.sin_cos();
+                let (sin, cos) = sin_cos(*angle);
                 [sin, cos].map(|value| {
                     let whole = value.round();
                     Self::Number(if (value - whole).abs() < ROUNDING { whole } else { value })

@@ -24,6 +24,7 @@ use super::run::rows;
 use super::run::simulation::Simulation;
 use super::run::simulation::critical::CRITICAL;
 use crate::fmi::Model;
+use crate::math::elementary::pow;
 use crate::model::file::document::Document;
 use crate::model::file::entries::simulation::{Analysis, Follow};
 
@@ -310,7 +311,7 @@ impl Refinement {
     fn judge_path(&mut self, simulation: &Simulation) -> f64 {
         let left_out = |is_configuration: bool| {
             let order = if is_configuration { ORDER_OF_MESH } else { ORDER_OF_MESH_OF_RATES };
-            1.0 - 0.5_f64.powf(order)
+            1.0 - pow(0.5_f64, order)
         };
         let mut errors = simulation.distances(&self.differences, |_, is_configuration| left_out(is_configuration));
         if !self.nearest.as_ref().is_some_and(Nearest::is_complete) {
@@ -338,7 +339,7 @@ impl Refinement {
         let before = std::mem::take(&mut self.distances);
         let has_fallen = |name: &str| {
             let [old, new] = [&before, &distances].map(|all| all.iter().find(|own| own.name == name));
-            old.zip(new).is_some_and(|(old, new)| old.error >= new.error * steps.powf(STEADY))
+            old.zip(new).is_some_and(|(old, new)| old.error >= new.error * pow(steps, STEADY))
         };
         // Equilibria have no other error, so that three runs show how it falls: slowly, as where a load is inside an
         // element.
@@ -350,7 +351,7 @@ impl Refinement {
         let divisor = |name: &str, is_configuration: bool| {
             let order = if is_configuration || has_fallen(name) { ORDER } else { ORDER_OF_RATES };
             let of_mesh = if is_configuration { ORDER_OF_MESH } else { ORDER_OF_MESH_OF_RATES };
-            let gain = |of_mesh: f64| [steps.powf(order), mesh.powf(of_mesh).min(observed(name))];
+            let gain = |of_mesh: f64| [pow(steps, order), pow(mesh, of_mesh).min(observed(name))];
             let by_mesh = self.plain_shares(name, gain(of_mesh))[1];
             let apart = distances.iter().find(|own| own.name == name).map_or(0.0, |own| own.error * by_mesh);
             let gains = gain(self.coarse.order(name, apart, mesh).min(of_mesh));
@@ -361,9 +362,9 @@ impl Refinement {
         };
         let mut errors = simulation.distances(&self.differences, divisor);
         let critical = [std::mem::replace(&mut self.critical, simulation.critical_time()), self.critical];
-        errors.extend(Inexact::of_critical(critical, mesh.powf(ORDER_OF_MESH)).filter(|_| mesh > 1.0));
+        errors.extend(Inexact::of_critical(critical, pow(mesh, ORDER_OF_MESH)).filter(|_| mesh > 1.0));
         let by_mesh = |own: &Inexact| {
-            let share = self.plain_shares(&own.name, [steps.powf(FIRST_ORDER), mesh.powf(ORDER_OF_MESH_OF_RATES)])[1];
+            let share = self.plain_shares(&own.name, [pow(steps, FIRST_ORDER), pow(mesh, ORDER_OF_MESH_OF_RATES)])[1];
             Inexact { error: own.error * share, ..own.clone() }
         };
         let coarse = Coarse::of(Some((mesh, distances.iter().map(by_mesh).collect())));
@@ -375,7 +376,7 @@ impl Refinement {
             self.end = Some(if is_motion_right { End::Ringing } else { End::Sensitive });
         }
         // Both parts after this refinement, brought to the error that is measured.
-        let falls = [steps.powf(FIRST_ORDER), mesh.powf(ORDER_OF_MESH_OF_RATES)];
+        let falls = [pow(steps, FIRST_ORDER), pow(mesh, ORDER_OF_MESH_OF_RATES)];
         let expected = [self.parts[0] / falls[0], self.parts[1] / falls[1]];
         let share = own / expected[0].max(expected[1]).max(f64::MIN_POSITIVE);
         self.parts = expected.map(|part| part * share);
@@ -425,7 +426,7 @@ impl Refinement {
     /// The next run, if the budget has room for it.
     fn next(&mut self, simulation: &Simulation, cost: f64) -> Option<Box<Simulation>> {
         let left = self.allowed() - self.costs[1];
-        let wish = (self.parts[0].min(1e3) / AIM).powf(1.0 / FIRST_ORDER).ceil();
+        let wish = pow(self.parts[0].min(1e3) / AIM, 1.0 / FIRST_ORDER).ceil();
         let wished = if self.chooses_steps { (wish as u32).clamp(2, MOST_PARTS) } else { 1 };
         let fewest = wished.min(2);
         let chooses_mesh = self.chosen.contains(&true);

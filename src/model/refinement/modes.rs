@@ -3,6 +3,7 @@
 //! one takes over until two agree; numbers of elements that the file gives are kept, and warned of.
 
 use crate::fmi::{Failure, Model};
+use crate::math::elementary::pow;
 use crate::model::file::entries::simulation::Analysis;
 use crate::model::run::accuracy::{at_most, percent};
 use crate::model::run::levels::{self, Level, Override};
@@ -66,7 +67,7 @@ impl Simulation {
             let differences = differences(&modes, &found);
             let largest = differences.iter().flatten().copied().fold(0.0, f64::max);
             // The first two meshes do not show how fast the error falls: it is taken to be their difference.
-            let gain = before.map_or(2.0, |before| (before / largest).clamp(LEAST_GAIN, 2.0_f64.powf(ORDER)));
+            let gain = before.map_or(2.0, |before| (before / largest).clamp(LEAST_GAIN, pow(2.0_f64, ORDER)));
             (simulation, modes) = (Some(finer), with_errors(found, &differences, 1.0 / (gain - 1.0)));
             if largest <= EXPECTED * (gain - 1.0) {
                 break;
@@ -107,7 +108,7 @@ impl Simulation {
     fn with_mesh_errors(&self, modes: Modes, count: usize) -> Modes {
         let changes = Level::DoubleElements.overrides(self.document());
         let Some((_, finer)) = changes.and_then(|changes| self.modes_with(changes, count)) else { return modes };
-        let gain = 2.0_f64.powf(ORDER);
+        let gain = pow(2.0_f64, ORDER);
         let differences = differences(&modes, &finer);
         let mut modes = with_errors(modes, &differences, gain / (gain - 1.0));
         modes.warnings.extend(warning(&modes, false));
@@ -161,7 +162,7 @@ fn worst(modes: &Modes) -> Option<(usize, f64)> {
 fn warning(modes: &Modes, is_chosen: bool) -> Option<String> {
     let (mode, error) = worst(modes).filter(|(_, error)| *error > WARNED * EXPECTED)?;
     let size = if error > 1.0 { String::from("more than 100 %") } else { format!("about {}", percent(error)) };
-    let times = (error.min(1.0) / EXPECTED).powf(1.0 / ORDER);
+    let times = pow(error.min(1.0) / EXPECTED, 1.0 / ORDER);
     let remedy = match is_chosen {
         true => String::from("ask for fewer modes, or give the beams more `elements`"),
         false => format!("take {times:.1} times the elements, or leave `elements` to the program"),

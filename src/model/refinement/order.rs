@@ -1,6 +1,7 @@
 //! How fast the errors of a motion fall with its mesh, from three meshes in turn, the coarsest of which is that of the
 //! run beside the first one. A load that travels bends a wire at a kink, which no mesh resolves with its full order.
 
+use crate::math::elementary::pow;
 use crate::model::run::accuracy::Inexact;
 
 /// The lowest order that is told from noise.
@@ -35,7 +36,7 @@ impl Coarse {
         let (mut low, mut high) = (LEAST, MOST);
         for _ in 0..40 {
             let order = 0.5 * (low + high);
-            let expected = (self.ratio.powf(order) - 1.0) / (1.0 - finer.powf(-order));
+            let expected = (pow(self.ratio, order) - 1.0) / (1.0 - pow(finer, -order));
             if expected < fall { low = order } else { high = order }
         }
         high

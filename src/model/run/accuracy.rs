@@ -6,7 +6,7 @@ use super::neighbor::Neighbor;
 use super::scale::{self, Measures, Span};
 use super::spell::Spell;
 use super::step_setting::Setting;
-use crate::math::histogram::Histogram;
+use crate::math::{elementary::log10, histogram::Histogram};
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::model::file::quantity::Quantity;
@@ -471,7 +471,7 @@ pub fn at_most(share: f64) -> String {
 /// A share in percent, with two digits.
 pub fn percent(share: f64) -> String {
     let percent = 100.0 * share;
-    let digits = if percent == 0.0 { 0 } else { (1 - percent.log10().floor() as i32).clamp(0, 6) as usize };
+    let digits = if percent == 0.0 { 0 } else { (1 - log10(percent).floor() as i32).clamp(0, 6) as usize };
     format!("{percent:.digits$} %")
 }
 

@@ -4,6 +4,7 @@ use super::{over, sections, shown, vector};
 use crate::math::catenary::{Catenary, NoCatenary};
 use crate::math::curve::Curve;
 use crate::math::curve_defect::{CurveDefect, LARGEST_BEND, LARGEST_CORNER, LARGEST_JUMP};
+use crate::math::elementary::{acos, hypot};
 use crate::math::jet::Jet;
 use crate::math::{Vec3, spline};
 use crate::mechanics::beam::centerline::{Centerline, Spacing, shares};
@@ -163,7 +164,7 @@ fn laid(
         return Ok(None);
     }
     let span = to - from;
-    let distance = span.x.hypot(span.y);
+    let distance = hypot(span.x, span.y);
     let floats = floats(document, beam);
     let sign = if floats { -1.0 } else { 1.0 };
     let ground = document.water.as_ref().filter(|_| !floats).and_then(|water| {
@@ -323,7 +324,7 @@ fn way_back(places: &[Vec3]) -> Option<(usize, f64)> {
         before.normalize().dot(&after.normalize())
     };
     let k = (1..places.len() - 1).find(|k| corner(k) < SHARPEST_COSINE)?;
-    Some((k, corner(&k).clamp(-1.0, 1.0).acos().to_degrees()))
+    Some((k, acos(corner(&k).clamp(-1.0, 1.0)).to_degrees()))
 }
 
 fn smooth(document: &Document, beam: &BeamSpec, written: &CurveSpec, curve: &Curve, elements: usize) -> Drawn {

@@ -3,6 +3,7 @@
 use super::contacts::{contact_radius, own_radius};
 use super::{carriers, shown, vector};
 use crate::math::curve::Curve;
+use crate::math::elementary::asin;
 use crate::math::jet::Jet;
 use crate::math::tight_line::{NoWay, TightLine, Wheel};
 use crate::math::{Mat3, Vec3};
@@ -120,7 +121,7 @@ fn of_one_direction(document: &Document, written: &TightSpec, rounds: &[Round<'_
     let sine = |round: &Round<'_>| round.axes.column(0).cross(&first.axes.column(0)).norm();
     let Some(other) = rounds.iter().find(|round| sine(round) > SAME_DIRECTION) else { return Ok(()) };
     let message = format!("the axes of surfaces {} and {} have different directions", first.spec.name, other.spec.name);
-    let label = format!("they are {:.3} degrees apart", sine(other).min(1.0).asin().to_degrees());
+    let label = format!("they are {:.3} degrees apart", asin(sine(other).min(1.0)).to_degrees());
     let help = "beam curves run over surfaces whose axes have one direction; give `points` instead";
     Err(mistake(document, written, &message, &label, help))
 }

@@ -9,6 +9,7 @@ use super::super::file::entries::contact::ContactSpec;
 use super::super::file::entries::joint::JointSpec;
 use super::super::file::reader::anchor::{Along, Anchor, Spot};
 use super::super::shape::{fits, lines};
+use crate::math::vectors::angle_between;
 use crate::mechanics::beam::centerline::Centerline;
 
 /// Angle that an element turns by as drawn, rad, at most: a ring of 16 elements is right to 1 %.
@@ -61,7 +62,7 @@ fn count(document: &Document, number: usize, beam: &BeamSpec) -> Option<usize> {
 
 /// The angles by which the elements of a line turn as drawn, rad.
 fn turns(line: &Centerline) -> impl Iterator<Item = f64> {
-    line.spans.iter().map(|span| line.nodes[span.node].tangent.angle(&line.nodes[span.node + 1].tangent))
+    line.spans.iter().map(|span| angle_between(&line.nodes[span.node].tangent, &line.nodes[span.node + 1].tangent))
 }
 
 /// A number of elements from `even` on none of which turns by more than [`LARGEST_ANGLE`]: a strap that is straight but

@@ -35,6 +35,7 @@ use super::flat::{self, Files};
 use super::shape::{Lines, fits, lines, shown, vector};
 use super::text::diagnostic::{Diagnostic, Diagnostics, Place, Source};
 use super::text::folder::Refusal;
+use crate::math::vectors::angle_between;
 use crate::math::{Mat3, Vec3};
 use crate::mechanics::beam::centerline::{Centerline, Spacing};
 use crate::mechanics::beam::design::Elements;
@@ -346,7 +347,7 @@ impl Checker<'_> {
         } else if let Some((i, j)) =
             [(0, 1), (0, 2), (1, 2)].into_iter().find(|(i, j)| rows[*i].dot(&rows[*j]).abs() > AXES_TOLERANCE)
         {
-            let angle = rows[i].angle(&rows[j]).to_degrees();
+            let angle = angle_between(&rows[i], &rows[j]).to_degrees();
             let label = format!("rows {} and {} are {angle:.4} degrees apart", i + 1, j + 1);
             self.mistake(place, &message, &label, help);
         } else if x.cross(&y).dot(&z) < 0.0 {
@@ -418,7 +419,7 @@ impl Checker<'_> {
             && axis.normalize().dot(&axis2.normalize()).abs() > AXES_TOLERANCE
         {
             let message = format!("the axes of joint {} are not perpendicular", joint.name);
-            let label = format!("axis and axis2 are {:.4} degrees apart", axis.angle(&axis2).to_degrees());
+            let label = format!("axis and axis2 are {:.4} degrees apart", angle_between(&axis, &axis2).to_degrees());
             let place = document.place(numbers[0]).to(document.place(numbers[2]));
             self.mistake(place, &message, &label, "the cross of a universal joint has a right angle");
         }

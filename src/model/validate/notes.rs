@@ -21,6 +21,7 @@ mod slenderness;
 mod starts;
 
 use super::Lines;
+use crate::math::elementary::{log10, pow};
 use crate::model::file::document::Document;
 use crate::model::file::entries::simulation::{Analysis, Steps};
 use crate::model::file::number::Number;
@@ -102,7 +103,7 @@ pub const STEPS_PER_PERIOD: f64 = 10.0;
 /// The longest step for a period, s, rounded down to two digits, as a message proposes it.
 pub fn step_for(period: f64) -> f64 {
     let longest = period / STEPS_PER_PERIOD;
-    let unit = 10_f64.powf(longest.log10().floor() - 1.0);
+    let unit = pow(10_f64, log10(longest).floor() - 1.0);
     (longest / unit).floor() * unit
 }
 

@@ -5,6 +5,7 @@
 
 use crate::fmi::Value;
 use crate::fmi::variable::{Causality, Exponents, Variable};
+use crate::math::elementary::log10;
 use crate::mechanics::system::System;
 
 /// Gravity below which a fall over the extent takes longer than any run, m/s². The denominator is at least that: the
@@ -46,6 +47,6 @@ impl Scales {
         let time = if s == 0 { 1.0 } else { self.time? };
         let size = self.mass.powi(kg) * self.length.powi(m) * time.powi(s);
         // A power of ten: the last digits of a square root mean nothing.
-        (size.is_finite() && size > 0.0).then(|| format!("1e{}", size.log10().round()).parse().ok()).flatten()
+        (size.is_finite() && size > 0.0).then(|| format!("1e{}", log10(size).round()).parse().ok()).flatten()
     }
 }

@@ -2,6 +2,7 @@
 
 use super::measure::Measure;
 use crate::math::Vec3;
+use crate::math::elementary::{acos, atan2};
 use crate::mechanics::force::spring::Spring;
 use crate::mechanics::marker::configuration::Configuration;
 use crate::mechanics::output::joint_loads::JointLoads;
@@ -55,10 +56,10 @@ pub(super) fn push_point(
         Quantity::AngularVelocity => push(sensor.seen_motion(c, &state.velocity).1),
         Quantity::Tilt => values.push(sensor.tilt(rotation)),
         Quantity::Twist => values.push(sensor.twist(system, c)),
-        Quantity::Declination => values.push(sensor.marker.pose(c).axis(0).z.clamp(-1.0, 1.0).acos()),
+        Quantity::Declination => values.push(acos(sensor.marker.pose(c).axis(0).z.clamp(-1.0, 1.0))),
         Quantity::Azimuth => {
             let tangent = sensor.marker.pose(c).axis(0);
-            values.push(tangent.y.atan2(tangent.x));
+            values.push(atan2(tangent.y, tangent.x));
         }
         Quantity::Submergence
         | Quantity::Clearance

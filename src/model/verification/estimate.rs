@@ -7,6 +7,7 @@
 //! a bound.
 
 use super::tally::{Pair, Tally};
+use crate::math::elementary::log2;
 
 /// `1/(1 - 2^-p)` for order 2. For order 4, and for linear twist, whose error is gone in the finer mesh, it is on the
 /// safe side by a quarter and a third.
@@ -71,7 +72,7 @@ impl Order {
         match pair {
             // Two runs that do not differ at all are one and the same.
             Pair { coarse: Some(coarse), fine: Some(fine) } if fine > round_off && coarse > 0.0 => {
-                Self::Observed((coarse.max(round_off) / fine).log2())
+                Self::Observed(log2(coarse.max(round_off) / fine))
             }
             _ => Self::Assumed(known),
         }

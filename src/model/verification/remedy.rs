@@ -1,6 +1,7 @@
 //! The cheapest setting that reaches a wanted accuracy, by the orders of the parts of the error.
 
 use super::estimate::Parts;
+use crate::math::elementary::pow;
 
 /// Numbers of steps in place of one, and of elements in place of one, that are proposed: steps stay numbers of few
 /// digits, and nodes stay where joints need them. Beyond the last ones the system, or its model, should be another one.
@@ -31,7 +32,7 @@ impl Demand {
     /// The error that a setting leaves, in the column's unit.
     fn error(&self, setting: Setting) -> f64 {
         let Parts { step, twist, elements } = self.parts;
-        let fallen = |(error, order): (f64, f64), finer: u32| error / f64::from(finer).powf(order);
+        let fallen = |(error, order): (f64, f64), finer: u32| error / pow(f64::from(finer), order);
         let twist = if setting.quadratic { 0.0 } else { fallen(twist, setting.elements) };
         fallen(step, setting.steps) + twist + fallen(elements, setting.elements)
     }

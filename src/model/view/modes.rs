@@ -2,6 +2,7 @@
 
 use crate::fmi::Failure;
 use crate::math::Vec3;
+use crate::math::elementary::pow;
 use crate::math::vectors::vec3;
 use crate::mechanics::beam::Beam;
 use crate::mechanics::state::State;
@@ -153,7 +154,7 @@ impl Simulation {
 /// The share by which shear would lower the frequency of a mode (docs/theory/linear-systems.md).
 fn shear(system: &System, state: &State, mode: &modes::Mode) -> Option<f64> {
     let form = (mode.kind == Kind::Vibration).then(|| system.shear_form(state, &mode.shape))??;
-    Some(1.0 - (1.0 + form / mode.eigenvalue).powf(-0.5))
+    Some(1.0 - pow(1.0 + form / mode.eigenvalue, -0.5))
 }
 
 /// Warns of the mode that shear would change most.
@@ -275,7 +276,7 @@ fn lonely_elements(system: &System, state: &State, modes: &[modes::Mode]) -> Opt
             return None;
         }
         // The frequency of such a mode goes with the square of the number of elements.
-        let enough = (2.0 * count as f64 * (highest / mode.eigenvalue).powf(0.25)).ceil();
+        let enough = (2.0 * count as f64 * pow(highest / mode.eigenvalue, 0.25)).ceil();
         Some(format!(
             "mode {} moves hardly anything but element {local} of {}, {:.0} % of its kinetic energy: the mesh is too coarse for it, and where the \
              axial force vanishes it is no mode of the real beam; take {enough} elements or more",

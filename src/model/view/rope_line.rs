@@ -1,6 +1,7 @@
 //! The line of a rope, as drawn and as it moves: its spans, and its arcs on sheaves as straight pieces.
 
 use crate::math::Vec3;
+use crate::math::elementary::{cos, sin};
 use crate::mechanics::force::rope::Rope;
 use crate::mechanics::force::rope::line::{Wheel, products, stretched};
 use crate::mechanics::geometry::pose::Pose;
@@ -88,5 +89,5 @@ fn through(seats: &[(Pose, Wheel)], pieces: impl Fn(f64) -> usize) -> Option<Vec
 
 /// The point of a wheel at an angle.
 fn on_rim(pose: &Pose, wheel: Wheel, angle: f64) -> Vec3 {
-    pose.place + (pose.axis(1) * angle.cos() + pose.axis(2) * angle.sin()) * wheel.radius
+    pose.place + (pose.axis(1) * cos(angle) + pose.axis(2) * sin(angle)) * wheel.radius
 }

@@ -1,6 +1,7 @@
 //! Dense matrices of small systems: balanced ones, and triangular factors with pivoting. Programs that show a mechanism
 //! as a linear system use them; no step does.
 
+use crate::math::elementary::{exp2, log2};
 use faer::MatRef;
 
 /// Sweeps of the balancing at most; a few are usual.
@@ -77,7 +78,7 @@ impl Dense {
                 if column == 0.0 || row == 0.0 {
                     continue;
                 }
-                let factor = (0.5 * f64::log2(row / column)).round().exp2();
+                let factor = exp2((0.5 * log2(row / column)).round());
                 if column * factor + row / factor >= WORTHWHILE * (column + row) {
                     continue;
                 }

@@ -3,6 +3,7 @@
 use super::base::Base;
 use super::independent::Selection;
 use crate::math::blocks::Blocks;
+use crate::math::elementary::{atan2, hypot, sin_cos};
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::mass::MassAt;
@@ -50,7 +51,7 @@ pub struct Pole {
 impl Pole {
     /// `|λ|`, rad/s: of a motion with viscous damping the frequency without it.
     pub fn natural_frequency(&self) -> f64 {
-        self.value[0].hypot(self.value[1])
+        hypot(self.value[0], self.value[1])
     }
 
     /// `−Re λ/|λ|`; 0 of a rigid motion.
@@ -86,7 +87,7 @@ pub(super) fn shape(selection: &Selection, vector: &[Complex]) -> (Vec<f64>, [Ve
     let [real, imaginary] = parts.each_ref().map(|part| dot(part, part));
     let product = dot(&parts[0], &parts[1]);
     // The phase at which Re(v exp(i φ)) is longest.
-    let (sin, cos) = (0.5 * f64::atan2(-2.0 * product, real - imaginary)).sin_cos();
+    let (sin, cos) = sin_cos(0.5 * atan2(-2.0 * product, real - imaginary));
     let parts = parts.map(|part| selection.shapes.times(&part));
     let shape = parts[0].iter().zip(&parts[1]).map(|(real, imaginary)| cos * real - sin * imaginary).collect();
     (shape, parts)

@@ -5,6 +5,7 @@
 
 use super::modal::{Modes, pairs};
 use super::split::{Refusal, Whole, split};
+use crate::math::elementary::{exp, ln};
 use crate::solve::linear::dense::{Complex, Dense};
 use crate::solve::linear::eigen::Eigen;
 use nalgebra::DMatrix;
@@ -74,7 +75,7 @@ fn frequencies(poles: &[Complex], range: Option<[f64; 2]>) -> Vec<f64> {
     let at = |number: usize| match number {
         0 => from,
         _ if number == GRID - 1 => to,
-        _ => (from.ln() + (to.ln() - from.ln()) * (number as f64 / (GRID - 1) as f64)).exp(),
+        _ => exp(ln(from) + (ln(to) - ln(from)) * (number as f64 / (GRID - 1) as f64)),
     };
     let mut all: Vec<f64> = (0..GRID).map(at).collect();
     let vibrations = poles.iter().filter(|pole| pole.im > 0.0 && pole.re != 0.0);

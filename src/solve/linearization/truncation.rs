@@ -12,6 +12,7 @@ use super::gramian::{factor, real};
 use super::modal::{Modes, norm, pairs};
 use super::split::{Origin, Refusal, Whole, split};
 use super::state_space::StateSpace;
+use crate::math::elementary::{exp, ln};
 use crate::solve::linear::dense::{Complex, Dense};
 
 /// An output whose response is below this share of that of another one with the same unit has none.
@@ -116,9 +117,9 @@ pub(super) fn grid(poles: &[Complex]) -> Vec<f64> {
     if largest == 0.0 {
         return vec![0.0];
     }
-    let [from, to] = [(least / BEYOND).ln(), (largest * BEYOND).ln()];
+    let [from, to] = [ln(least / BEYOND), ln(largest * BEYOND)];
     let mut grid: Vec<f64> =
-        (0..GRID).map(|number| (from + (to - from) * number as f64 / (GRID - 1) as f64).exp()).collect();
+        (0..GRID).map(|number| exp(from + (to - from) * number as f64 / (GRID - 1) as f64)).collect();
     grid.push(0.0);
     grid.extend(poles.iter().map(|pole| pole.im).filter(|swing| *swing > 0.0));
     grid

@@ -1,6 +1,7 @@
 //! Refinements of a solution: corrections with the matrix of the last iteration. How many of them do the rest, and
 //! whether they are as small as they should be (MECHANICS 7.6).
 
+use crate::math::elementary::pow;
 use crate::mechanics::state::Shrinking;
 
 /// Most refinements of a solution: together they take less work than the iteration that they replace.
@@ -60,9 +61,9 @@ pub fn largest_remainder(corrections: &[f64], size: f64, times: usize) -> f64 {
     };
     let is_measured = corrections.len() > 1 && corrections.windows(2).all(|pair| pair[1] < SLOWEST * pair[0]);
     if is_measured {
-        last * (size / last).powf(1.0 / times as f64)
+        last * pow(size / last, 1.0 / times as f64)
     } else {
-        last * (STRICTNESS * (size / last).powi(2)).powf(1.0 / (times + 1) as f64)
+        last * pow(STRICTNESS * (size / last).powi(2), 1.0 / (times + 1) as f64)
     }
 }
 

@@ -7,6 +7,7 @@
 use super::integrator::Integrator;
 use super::tally::End;
 use crate::error::Error;
+use crate::math::elementary::cbrt;
 use crate::math::resolution::Sight;
 use crate::mechanics::state::State;
 use crate::mechanics::state::pace::Pace;
@@ -137,7 +138,7 @@ impl Pacing {
             let before = pace.ratio;
             pace.ratio = f64::max(ratio, MEMORY * before);
             let most = if before > 0.0 && pace.ratio > SMALL { GROWTH } else { FIRST_GROWTH };
-            let wanted = step * (AIM / pace.ratio).cbrt().clamp(SHRINKING, most);
+            let wanted = step * cbrt(AIM / pace.ratio).clamp(SHRINKING, most);
             // A step that had to end early asks for no shorter ones.
             let ended_early = step < ENDED_EARLY * pace.wanted && ratio < 1.0;
             pace.wanted = if ended_early { wanted.max(pace.wanted) } else { wanted };
@@ -221,7 +222,7 @@ impl Pacing {
             };
             state.statistics.rejected += 1;
             let shorter = match reason {
-                Error::Inexact { ratio, .. } => (AIM / ratio).cbrt().max(SHRINKING),
+                Error::Inexact { ratio, .. } => cbrt(AIM / ratio).max(SHRINKING),
                 Error::Turned { angle, limit, .. } if angle > limit => (NEAR_LIMIT * limit / angle).max(SHRINKING),
                 _ => 0.5,
             };

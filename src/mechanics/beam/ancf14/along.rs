@@ -3,6 +3,7 @@
 
 use super::rotary_inertia::MassMoments;
 use super::strain::{Eccentricity, Stiffness};
+use crate::math::elementary::sin_cos;
 use std::fmt;
 use std::sync::Arc;
 
@@ -30,7 +31,7 @@ impl SectionAt {
         if self.turn == 0.0 {
             return self.mass_moments;
         }
-        let (sin, cos) = self.turn.sin_cos();
+        let (sin, cos) = sin_cos(self.turn);
         [
             cos * cos * yy - 2.0 * cos * sin * yz + sin * sin * zz,
             sin * sin * yy + 2.0 * cos * sin * yz + cos * cos * zz,

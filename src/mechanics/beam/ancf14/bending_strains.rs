@@ -5,13 +5,14 @@ use super::energy::quadratic_twist;
 use super::kinematics::points::BendingPoint;
 use super::natural::curvature_about;
 use super::strain::Strains;
+use crate::math::elementary::sin_cos;
 
 impl BendingPoint {
     /// `cos/J0` and `sin/J0` of the angle of the section, which `alpha` and the internal coordinate `bubble` of the
     /// quadratic twist make, rad.
     #[inline]
     pub fn turn(&self, alpha: f64, bubble: f64) -> [f64; 2] {
-        let (sin, cos) = (alpha + self.principal + bubble * quadratic_twist::shape(self.xi)).sin_cos();
+        let (sin, cos) = sin_cos(alpha + self.principal + bubble * quadratic_twist::shape(self.xi));
         [cos / self.reference_stretch, sin / self.reference_stretch]
     }
 

@@ -1,6 +1,7 @@
 //! The frame of a node: a reference triad carried in time, turned by the slope and by `theta` (MECHANICS 2.1-2.6).
 
 use super::coordinates::{P, THETA};
+use crate::math::elementary::sin_cos;
 use crate::math::rotation::{carry, half_turn, normal_projector};
 use crate::math::vectors::vec3;
 use crate::math::{Mat3, Vec3};
@@ -34,7 +35,7 @@ impl NodeFrame {
         let u = carry(&triad.t, &t, &triad.u);
         let v = t.cross(&u);
         let k = half_turn(&triad.t, &t);
-        let (sin, cos) = q[THETA].sin_cos();
+        let (sin, cos) = sin_cos(q[THETA]);
         Self { stretch, t, u, v, k, turn: [cos, sin] }
     }
 

@@ -3,6 +3,7 @@
 //! Heat and tension are strains that are taken off those of the geometry: `e = e(q) − e_0`. A stress-free curvature or
 //! torsion takes the place of the one as drawn.
 
+use crate::math::elementary::sin_cos;
 use crate::mechanics::input::heat::{Heat, POINTS};
 
 /// How a beam is under stress where it is drawn; nothing: not at all.
@@ -68,6 +69,6 @@ pub fn curvature_about([g1, g2]: [f64; 2], angle: f64) -> [f64; 2] {
     if angle == 0.0 {
         return [g1, g2];
     }
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = sin_cos(angle);
     [cos * g1 + sin * g2, cos * g2 - sin * g1]
 }

@@ -6,6 +6,7 @@
 
 use super::coordinates::{ELEMENT, ElementVector, NODE, P, SHAPE_PLACES, THETA};
 use super::frame::NodeFrame;
+use crate::math::elementary::{atan2, sin_cos};
 use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS};
 use crate::math::vectors::{add_vec3, vec3};
 use crate::math::{Vec3, hermite};
@@ -91,7 +92,7 @@ fn largest_axis(&[yy, zz, yz]: &MassMoments) -> [f64; 2] {
         (true, true) => [1.0, 0.0],
         (true, false) => [0.0, 1.0],
         (false, _) => {
-            let (sin, cos) = (0.5 * (2.0 * yz).atan2(yy - zz)).sin_cos();
+            let (sin, cos) = sin_cos(0.5 * atan2(2.0 * yz, yy - zz));
             [cos, sin]
         }
     }

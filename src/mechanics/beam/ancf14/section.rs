@@ -12,6 +12,7 @@ use super::kinematics::Kinematics;
 use super::kinematics::curve_point::CurvePoint;
 use super::over_step::STRAINS;
 use super::strain::{Stiffness, Strain, Strains};
+use crate::math::elementary::sin_cos;
 use crate::math::hermite;
 use crate::math::quadrature::{GAUSS_POINTS, LOBATTO_POINTS, LOBATTO_WEIGHTS, collocation, lagrange};
 use crate::mechanics::beam::configuration::BeamConfiguration;
@@ -26,7 +27,7 @@ pub fn shape(element: &Element, c: &BeamConfiguration, kinematics: &Kinematics, 
     let point = CurvePoint::new(&kinematics.shape, &shape_x, &shape_xx);
     let inner = collocation(xi).map(|a| a * element.length);
     let alpha = kinematics.alpha_at(q, xi, &inner) + bubble * quadratic_twist::shape(xi);
-    let (sin, cos) = alpha.sin_cos();
+    let (sin, cos) = sin_cos(alpha);
     let [kappa1, kappa2] = point.curvatures;
     // (2.14): gamma1 is the curvature about z, −gamma2 the one about y.
     let [gamma1, gamma2] = [cos * kappa1 + sin * kappa2, cos * kappa2 - sin * kappa1];
@@ -200,7 +201,7 @@ pub(super) fn turned([about_y, about_z]: [f64; 2], angle: f64) -> [f64; 2] {
     if angle == 0.0 {
         return [about_y, about_z];
     }
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = sin_cos(angle);
     [cos * about_y + sin * about_z, cos * about_z - sin * about_y]
 }
 

@@ -6,6 +6,7 @@ use super::frame::NodeFrame;
 use super::inertia::Inertia;
 use super::rotary_inertia::MassMoments;
 use super::strain::{Stiffness, Strain, Strains};
+use crate::math::elementary::sin_cos;
 use crate::math::quadrature::{FIVE_POINTS, FIVE_WEIGHTS, LOBATTO_POINTS};
 use std::sync::Arc;
 
@@ -112,7 +113,7 @@ impl Evaluation<'_> {
             let point = &self.element.bending[g];
             let (principal, mut strains) = (point.principal - point.turn, self.strains[g]);
             if principal != 0.0 {
-                let ((sin, cos), [g1, g2]) = (principal.sin_cos(), [strains[0], strains[1]]);
+                let ((sin, cos), [g1, g2]) = (sin_cos(principal), [strains[0], strains[1]]);
                 (strains[0], strains[1]) = (cos * g1 - sin * g2, cos * g2 + sin * g1);
             }
             strains

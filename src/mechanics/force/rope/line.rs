@@ -9,6 +9,7 @@
 //! Everything depends on nine scalar products of the vectors of both poses, [`Products`]. The reach is
 //! `m = |Q − P| + ρ_a σ_a φ_a − ρ_b σ_b φ_b`: the length of rope between the marks `φ = 0` of both wheels.
 
+use crate::math::elementary::{acos, atan2, cos, hypot, sin};
 use crate::mechanics::geometry::pose::{PLACE, Pose, VECTORS, axis_vector};
 use crate::mechanics::geometry::pose_pair::{PairHessian, PairVector};
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2};
@@ -239,7 +240,7 @@ pub fn by_poses_twice(weights: &Products) -> PairHessian {
 pub fn stretched(wheels: [Wheel; 2], y: &Products) -> Option<(f64, [f64; 2])> {
     let (square, conditions) = forms(wheels.map(|wheel| wheel.radius));
     let angles = angles(wheels, &conditions, y)?;
-    let length_square = square.value(y, angles.map(|angle| (angle.cos(), angle.sin())));
+    let length_square = square.value(y, angles.map(|angle| (cos(angle), sin(angle))));
     (length_square > 0.0).then(|| (length_square.sqrt(), angles))
 }
 
@@ -250,7 +251,7 @@ impl Line {
         let radii = wheels.map(|wheel| wheel.radius);
         let (square, conditions) = forms(radii);
         let angles = angles(wheels, &conditions, y)?;
-        let at = angles.map(|angle| (angle.cos(), angle.sin()));
+        let at = angles.map(|angle| (cos(angle), sin(angle)));
         let length_square = square.value(y, at);
         // Not-a-number must fail.
         let length = (length_square > 0.0).then(|| length_square.sqrt())?;
@@ -320,14 +321,14 @@ fn angles(wheels: [Wheel; 2], conditions: &[Form; 2], y: &Products) -> Option<[f
     let mut radius_seen = 0.0;
     for _ in 0..ALTERNATING {
         if a.radius > 0.0 {
-            let (c, s) = (radius_seen * reaching.cos(), radius_seen * reaching.sin());
+            let (c, s) = (radius_seen * cos(reaching), radius_seen * sin(reaching));
             let seen = [y[1] + y[5] * c + y[6] * s, y[2] + y[7] * c + y[8] * s];
-            leaving = seen[1].atan2(seen[0]) - a.turn * half_angle(a.radius, seen)?;
+            leaving = atan2(seen[1], seen[0]) - a.turn * half_angle(a.radius, seen)?;
         }
         if b.radius > 0.0 {
-            let (c, s) = (a.radius * leaving.cos(), a.radius * leaving.sin());
+            let (c, s) = (a.radius * cos(leaving), a.radius * sin(leaving));
             let seen = [-y[3] + y[5] * c + y[7] * s, -y[4] + y[6] * c + y[8] * s];
-            reaching = seen[1].atan2(seen[0]) + b.turn * half_angle(b.radius, seen)?;
+            reaching = atan2(seen[1], seen[0]) + b.turn * half_angle(b.radius, seen)?;
         }
         radius_seen = b.radius;
     }
@@ -336,7 +337,7 @@ fn angles(wheels: [Wheel; 2], conditions: &[Form; 2], y: &Products) -> Option<[f
         return Some([0.0; 2]);
     }
     for _ in 0..MOST_ITERATIONS {
-        let at = [leaving, reaching].map(|angle: f64| (angle.cos(), angle.sin()));
+        let at = [leaving, reaching].map(|angle: f64| (cos(angle), sin(angle)));
         let (inverse, _) = condition_tangent(conditions, radii, y, at)?;
         let left = [0, 1].map(|row| if radii[row] > 0.0 { conditions[row].value(y, at) } else { 0.0 });
         let change = inverse * Vector2::from(left);
@@ -351,6 +352,6 @@ fn angles(wheels: [Wheel; 2], conditions: &[Form; 2], y: &Products) -> Option<[f
 
 /// Half the angle under which both tangents to a wheel from a point touch it, rad; none: the point is inside.
 fn half_angle(radius: f64, seen: [f64; 2]) -> Option<f64> {
-    let distance = seen[0].hypot(seen[1]);
-    (distance > radius).then(|| (radius / distance).acos())
+    let distance = hypot(seen[0], seen[1]);
+    (distance > radius).then(|| acos(radius / distance))
 }

@@ -6,6 +6,7 @@
 //! from the stretch before it to the one behind it follows from the turn of the wheel while it sticks. It slips where
 //! the ratio of both tensions would exceed `exp(μθ)`, and holds that ratio then.
 
+use crate::math::elementary::exp;
 use crate::mechanics::force::law::{Law, LawForce};
 
 /// Most wheels of a rope.
@@ -247,7 +248,7 @@ impl Tensions {
     /// The factors of the tensions before and behind a grip that slides, which are equal times these.
     fn factors(&self, k: usize, grip: Option<&Grip>) -> Option<[f64; 2]> {
         let Hold::Friction(coefficient) = grip?.hold else { return None };
-        let ratio = (coefficient * grip?.wrap.max(0.0)).exp();
+        let ratio = exp(coefficient * grip?.wrap.max(0.0));
         match self.moves[k] {
             Move::Sticks => None,
             Move::Forward => Some([ratio, 1.0]),
@@ -283,7 +284,7 @@ impl Tensions {
                 continue;
             }
             let [before, behind] = [k - 1, k].map(|k| self.strains[k].max(0.0));
-            let ratio = (coefficient * grip.wrap.max(0.0)).exp() * (1.0 + ROUND_OFF);
+            let ratio = exp(coefficient * grip.wrap.max(0.0)) * (1.0 + ROUND_OFF);
             let next = match self.moves[k] {
                 Move::Sticks if behind > ratio * before => Move::Forward,
                 Move::Sticks if before > ratio * behind => Move::Backward,

@@ -2,6 +2,7 @@
 
 use super::SystemBuilder;
 use crate::math::Vec3;
+use crate::math::elementary::{asin, cos, sin};
 use crate::mechanics::force::rope::line::{Wheel, products, stretched};
 use crate::mechanics::force::rope::tensions::{Elasticity, Hold};
 use crate::mechanics::force::rope::{Rope, Seat};
@@ -74,7 +75,7 @@ impl SystemBuilder {
             let ends = [(&a, leaves, wheels[0]), (&b, reaches, wheels[1])]
                 .map(|(pose, angle, wheel)| on_rim(pose, angle, wheel));
             for (seat, pose) in [(span, &a), (span + 1, &b)] {
-                let angle = (pose.axis(0).dot(&(ends[1] - ends[0])) / length).clamp(-1.0, 1.0).asin().abs();
+                let angle = asin((pose.axis(0).dot(&(ends[1] - ends[0])) / length).clamp(-1.0, 1.0)).abs();
                 if seats[seat].wheel.radius > 0.0 && angle > STEEPEST {
                     return Drawn::Steep(seat, angle);
                 }
@@ -118,5 +119,5 @@ impl SystemBuilder {
 
 /// The point of a wheel at an angle, m.
 fn on_rim(pose: &Pose, angle: f64, wheel: Wheel) -> Vec3 {
-    pose.place + (pose.axis(1) * angle.cos() + pose.axis(2) * angle.sin()) * wheel.radius
+    pose.place + (pose.axis(1) * cos(angle) + pose.axis(2) * sin(angle)) * wheel.radius
 }

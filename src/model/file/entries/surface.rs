@@ -2,6 +2,7 @@
 //! `[contact.NAME]` says so.
 
 use super::Parts;
+use crate::math::elementary::sin_cos;
 use crate::math::rotation::{triad_along, triad_of};
 use crate::math::{Mat3, Vec3};
 use crate::model::file::number::{Number, Numbers};
@@ -313,18 +314,18 @@ impl SurfaceSpec {
                 rings([-half, half].map(|x| [x, value(radius)]))
             }
             Shape::Sphere { radius, .. } => rings((0..RINGS).map(|ring| {
-                let (sine, cosine) = (PI * ring as f64 / (RINGS - 1) as f64).sin_cos();
+                let (sine, cosine) = sin_cos(PI * ring as f64 / (RINGS - 1) as f64);
                 [-cosine, sine].map(|part| part * value(radius))
             })),
             Shape::Sheave { radius, groove, .. } => {
                 let (radius, groove) = (value(radius), value(groove));
                 rings((0..RINGS).map(|ring| {
-                    let (sine, cosine) = (PI * ring as f64 / (RINGS - 1) as f64).sin_cos();
+                    let (sine, cosine) = sin_cos(PI * ring as f64 / (RINGS - 1) as f64);
                     [-cosine * groove, radius + groove * (1.0 - sine)]
                 }))
             }
             Shape::Ring { radius, wire, .. } => rings((0..=SIDES).map(|ring| {
-                let (sine, cosine) = (TAU * ring as f64 / SIDES as f64).sin_cos();
+                let (sine, cosine) = sin_cos(TAU * ring as f64 / SIDES as f64);
                 [sine * value(wire), value(radius) + cosine * value(wire)]
             })),
             Shape::Box { size, .. } => block(size.map(|number| 0.5 * value(number))),
@@ -349,7 +350,7 @@ fn rings(rings: impl IntoIterator<Item = [f64; 2]>) -> Mesh {
     for [x, radius] in rings {
         let first = mesh.corners.len();
         for side in 0..SIDES {
-            let (sine, cosine) = (TAU * side as f64 / SIDES as f64).sin_cos();
+            let (sine, cosine) = sin_cos(TAU * side as f64 / SIDES as f64);
             mesh.corners.push([x, radius * cosine, radius * sine]);
             if let Some(before) = first.checked_sub(SIDES) {
                 let next = (side + 1) % SIDES;

@@ -12,6 +12,7 @@ use super::linear::{Amplitude, Linear, Motion, Pole, PoleKind, Signal};
 use super::solver::Solver;
 use super::{Simulation, Snapshot};
 use crate::fmi::{Model, Value};
+use crate::math::elementary::{hypot, ln};
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::variation::Variation;
 use crate::model::file::entries::simulation::Analysis;
@@ -238,12 +239,12 @@ fn vibrations(linear: &Linear, kept: &[bool], gauge: &Gauge) -> Option<Vec<Own>>
 }
 
 fn size([real, imaginary]: [f64; 2]) -> f64 {
-    real.hypot(imaginary)
+    hypot(real, imaginary)
 }
 
 /// The parts that were measured at the pole next to `pole`, by the ratio of frequencies.
 fn nearest(pole: [f64; 2], found: &[([f64; 2], Parts)]) -> Option<&Parts> {
-    let apart = |own: &[f64; 2]| (size(*own) / size(pole)).ln().abs();
+    let apart = |own: &[f64; 2]| ln(size(*own) / size(pole)).abs();
     found.iter().min_by(|(a, _), (b, _)| apart(a).total_cmp(&apart(b))).map(|(_, parts)| parts)
 }
 
@@ -303,7 +304,7 @@ impl Gauge {
         let whole: Vec<&Pole> = whole.iter().filter(|own| own.kind == PoleKind::Oscillating).collect();
         let mut found = Vec::new();
         for own in vibrations.iter().filter(|own| own.pole[1] > 0.0).take(MOST_ATTEMPTS) {
-            let apart = |other: &&Pole| f64::hypot(other.value[0] - own.pole[0], other.value[1] - own.pole[1]);
+            let apart = |other: &&Pole| hypot(other.value[0] - own.pole[0], other.value[1] - own.pole[1]);
             let least = whole.iter().map(apart).fold(f64::INFINITY, f64::min);
             let most = f64::min(SAME * size(own.pole), least + NEAR * size(own.pole));
             let alike = whole.iter().filter(|other| apart(other) <= most);

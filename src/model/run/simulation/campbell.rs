@@ -5,6 +5,7 @@ use super::linear::{check_poles, not_found};
 use super::steady::{Frame, Rotor, Turning};
 use super::{Simulation, failure, wrong};
 use crate::fmi::Failure;
+use crate::math::elementary::hypot;
 use crate::solve::linear::dense::Complex;
 use crate::solve::linear::eigen::Eigen;
 use crate::solve::linearization::independent::Selection;
@@ -63,7 +64,7 @@ impl Point {
 
     /// Its damping ratio.
     pub fn damping_ratio(&self) -> f64 {
-        let size = self.value[0].hypot(self.value[1]);
+        let size = hypot(self.value[0], self.value[1]);
         if size == 0.0 { 0.0 } else { -self.value[0] / size }
     }
 }

@@ -9,6 +9,7 @@ use super::{Simulation, failure, wrong};
 use crate::error::Error;
 use crate::fmi::Failure;
 use crate::math::Vec3;
+use crate::math::elementary::hypot;
 use crate::mechanics::input::host_motion::Targets;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
@@ -100,7 +101,7 @@ impl<'a> Given<'a> {
                 Orientation::Quaternion(numbers) => {
                     // Only its direction counts.
                     let at_end = |number| inputs.line(number).0 + inputs.line(number).1 * (span[1] - span[0]);
-                    let length = numbers.map(at_end).into_iter().fold(0.0, f64::hypot);
+                    let length = numbers.map(at_end).into_iter().fold(0.0, hypot);
                     numbers.into_iter().for_each(|number| set(number, length));
                 }
             }

@@ -3,6 +3,7 @@
 use super::solver::Solver;
 use super::{Simulation, failure, wrong};
 use crate::fmi::{Failure, Model};
+use crate::math::elementary::{acos, ln};
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::variation::Variation;
@@ -74,5 +75,5 @@ fn fitted(signal: &[f64], interval: f64) -> [f64; 2] {
     let determinant = xx * yy - xy * xy;
     let (a, b) = ((x * yy - y * xy) / determinant, (y * xx - x * xy) / determinant);
     let size = (-b).sqrt();
-    [size.ln() / interval, (0.5 * a / size).acos() / interval]
+    [ln(size) / interval, acos(0.5 * a / size) / interval]
 }

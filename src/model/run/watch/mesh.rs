@@ -1,6 +1,7 @@
 //! Whether a mesh is too coarse for what the system does, by the energy that its elements leave out.
 
 use crate::error::decimal;
+use crate::math::elementary::pow;
 use crate::mechanics::output::fiber_strain::{self, FiberStrain};
 use crate::mechanics::output::mesh_error::{Deformation, MeshError};
 use crate::mechanics::state::State;
@@ -225,6 +226,6 @@ impl MeshWatch {
 
 /// The number of elements that takes an error which is `excess` times too large away, where it falls with this order.
 fn refined(elements: usize, excess: f64, order: i32) -> usize {
-    let factor = excess.powf(1.0 / f64::from(order)).clamp(2.0, LARGEST_REFINEMENT);
+    let factor = pow(excess, 1.0 / f64::from(order)).clamp(2.0, LARGEST_REFINEMENT);
     (factor * elements as f64).ceil() as usize
 }

@@ -12,6 +12,7 @@ use self::corrector::{Across, Border};
 use super::Statics;
 use super::equilibrium::Equilibrium;
 use crate::error::Error;
+use crate::math::elementary::acos;
 use crate::mechanics::state::State;
 use crate::mechanics::state::path_point::PathPoint;
 use crate::mechanics::system::System;
@@ -128,7 +129,7 @@ impl Statics {
         let (Some(from), Some(_)) = (&state.path, &next.path) else { return Ok(()) };
         let cosine = self.set_tangent(system, next, &from.tangent)?;
         if cosine < LEAST_COSINE {
-            let what = format!("turns by {:.2} rad within a step", cosine.acos());
+            let what = format!("turns by {:.2} rad within a step", acos(cosine));
             return Err(Error::PathLost { parameter: from.parameter, what });
         }
         Ok(())

@@ -13,6 +13,7 @@ use self::points::BendingPoint;
 use super::coordinates::THETA;
 use super::element::Element;
 use super::frame::NodeFrame;
+use crate::math::elementary::atan2;
 use crate::math::rotation::{carry, half_turn};
 use crate::math::{Mat3, Vec3};
 use std::f64::consts::TAU;
@@ -31,7 +32,7 @@ impl Holonomy {
     pub fn new(first: &NodeFrame, second: &NodeFrame, previous: f64) -> Self {
         let u_c = carry(&first.t, &second.t, &first.u);
         let (s, c) = (second.u.dot(&second.t.cross(&u_c)), second.u.dot(&u_c));
-        let angle = s.atan2(c);
+        let angle = atan2(s, c);
         let turns = (previous - angle) / TAU;
         // Nearly always less than half a turn: to round it is a call of the C library where processors have no
         // instruction for it.

@@ -3,6 +3,7 @@
 use super::Kinematics;
 use super::corotated::COROTATED;
 use super::strain_derivatives::{Factors, Gradients};
+use crate::math::elementary::sin_cos;
 use crate::math::rotation::{carry, half_turn, half_turn_by_first, half_turn_by_second, normal_projector};
 use crate::math::{Mat3, Vec3, hermite, quadrature};
 use crate::mechanics::beam::ancf14::coordinates::{
@@ -58,7 +59,7 @@ impl<'a> SectionPoint<'a> {
         let [first, _] = self.element.frames(c);
         let u = carry(&first.t, &self.t, &first.u);
         let v = self.t.cross(&u);
-        let (sin, cos) = self.kinematics.alpha_at(q, self.xi, &self.collocation).sin_cos();
+        let (sin, cos) = sin_cos(self.kinematics.alpha_at(q, self.xi, &self.collocation));
         let axes = Mat3::from_columns(&[self.t, u * cos + v * sin, v * cos - u * sin]);
         Pose { place: interpolate(&self.shape, q), axes }
     }
