@@ -58,7 +58,8 @@ case ${1:-all} in
         stage book scripts/book.sh
         stage release release
         stage pages scripts/viewer.sh
-        ANCF14=target/fmu/ancf14 stage FMPy target/python-env/bin/python -m pytest -q -p no:cacheprovider tests/fmpy
+        ANCF14=target/fmu/ancf14 ANCF14_GALLERY=$target/gallery stage FMPy \
+            target/python-env/bin/python -m pytest -q -p no:cacheprovider --durations=10 tests/fmpy
         stage "release test" scripts/release-test.sh
         exit
         ;;

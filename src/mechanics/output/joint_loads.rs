@@ -16,7 +16,9 @@ use crate::mechanics::marker::pose_gradient::of_side;
 use crate::mechanics::marker::relative_coordinate::RelativeCoordinate;
 use crate::mechanics::state::State;
 use crate::mechanics::system::System;
+use crate::mechanics::system::beam_contacts::MeetingPoint;
 use crate::mechanics::system::joint_parts::JointParts;
+use std::cell::OnceCell;
 use std::ops::Range;
 
 /// Which side of a joint or relative coordinate.
@@ -28,7 +30,7 @@ pub(super) enum Side {
 
 /// What acts at an instant: the state with its configuration, how it is passed through, and the multipliers of all
 /// conditions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct JointLoads<'a> {
     /// The system.
     pub system: &'a System,
@@ -40,9 +42,28 @@ pub struct JointLoads<'a> {
     pub passage: &'a Passage<'a>,
     /// Multipliers of all conditions, N or N m.
     pub multipliers: &'a [f64],
+    /// Where beams touch beams, found when a section asks for it first: the search goes over whole beams.
+    meetings: OnceCell<Vec<MeetingPoint>>,
 }
 
-impl JointLoads<'_> {
+impl<'a> JointLoads<'a> {
+    /// What acts on `system` in `state`, whose configuration `c` moves as `passage` says, with these multipliers.
+    pub fn new(
+        (system, state): (&'a System, &'a State),
+        (c, passage): (&'a Configuration<'a>, &'a Passage<'a>),
+        multipliers: &'a [f64],
+    ) -> Self {
+        Self { system, state, c, passage, multipliers, meetings: OnceCell::new() }
+    }
+
+    /// The points of element `element` that touch beams.
+    pub(super) fn meetings_of(&self, element: usize) -> &[MeetingPoint] {
+        let all = self.meetings.get_or_init(|| self.system.meeting_points(self.c, self.passage));
+        let first = all.partition_point(|point| point.element < element);
+        let count = all[first..].partition_point(|point| point.element == element);
+        &all[first..first + count]
+    }
+
     /// Force (N) and moment (N m) that b receives through the joint of these `parts`, at b's position, in global axes.
     pub fn reaction(&self, parts: &JointParts) -> (Vec3, Vec3) {
         let joints = parts

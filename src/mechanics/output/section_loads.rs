@@ -88,7 +88,7 @@ impl SectionLoads<'_> {
                 }
             }
         }
-        system.each_touch_of(element, c, passage, |xi, [force, moment]| {
+        self.each_touch(element, &mut |xi, [force, moment]| {
             let jacobian = own.section_jacobian(&c.beams, xi);
             add((jacobian.place_q.tr_mul(&force) + jacobian.turn_q.tr_mul(&moment)).as_slice(), &mut inside);
         });
@@ -101,6 +101,16 @@ impl SectionLoads<'_> {
             own.add_fluid(water, moving, 1.0, &mut inside);
         });
         ElementBalance { loads: self, element, balance: own.balance(&c.beams, &self.instant(element), &inside), along }
+    }
+
+    /// Calls `take` with the position in element `element`, and with force (N) and moment (N m) on it in global axes, of
+    /// each point that touches something.
+    fn each_touch(&self, element: usize, take: &mut dyn FnMut(f64, [Vec3; 2])) {
+        let JointLoads { system, c, passage, .. } = *self.joints;
+        system.each_touch_of(element, c, passage, take);
+        for point in self.joints.meetings_of(element) {
+            take(point.xi, [point.force, Vec3::zeros()]);
+        }
     }
 
     /// Calls `with` with element `element` in each fluid that may reach it now.
@@ -186,7 +196,7 @@ impl ElementBalance<'_> {
                 acting.add_about(&here, share, &mut sum);
             }
         }
-        system.each_touch_of(self.element, c, passage, |own, [force, moment]| {
+        self.loads.each_touch(self.element, &mut |own, [force, moment]| {
             if own < xi {
                 let position = system.mesh.elements[self.element].axis_point(own, c.beams.q);
                 Acting { position, force, moment }.add_about(&here, 1.0, &mut sum);

@@ -11,6 +11,17 @@ use crate::mechanics::beam::ancf14::coordinates::{ELEMENT, SHAPE_PLACES};
 use crate::mechanics::contact::mutual::{BeamContact, Meeting, VECTORS};
 use crate::mechanics::marker::configuration::{Configuration, Passage, TimeStep};
 
+/// A point of an element that touches a beam.
+#[derive(Clone, Copy, Debug)]
+pub struct MeetingPoint {
+    /// The element.
+    pub element: usize,
+    /// Its position there, 0 to 1.
+    pub xi: f64,
+    /// Force on it, N.
+    pub force: Vec3,
+}
+
 impl System {
     /// Number of pairs of elements that may touch each other: each has two blocks of the tangent.
     pub(super) fn touching_pairs(&self) -> usize {
@@ -162,30 +173,19 @@ impl System {
         Ok(())
     }
 
-    /// Calls `take` with the position in element `number`, and with force (N) and moment (N m) on it in global axes, of
-    /// each point that touches another beam.
-    pub(super) fn each_meeting_of(
-        &self,
-        number: usize,
-        c: &Configuration,
-        passage: &Passage,
-        take: &mut dyn FnMut(f64, [Vec3; 2]),
-    ) {
+    /// The points of beams that touch beams at `c`, through which the system passes as `passage` says, in the order of
+    /// their elements.
+    pub fn meeting_points(&self, c: &Configuration, passage: &Passage) -> Vec<MeetingPoint> {
+        let mut points = Vec::new();
         for contact in &self.beam_contacts {
-            if !contact.strands.iter().any(|strand| strand.elements.contains(&number)) {
-                continue;
-            }
             contact.each_meeting(c, passage, &mut |meeting| {
-                let [element, partner] = Self::meeting_elements(contact, meeting);
                 let force = meeting.push * meeting.pressing;
-                if element == number {
-                    take(meeting.xi[0], [force, Vec3::zeros()]);
-                }
-                if partner == number {
-                    take(meeting.xi[1], [-force, Vec3::zeros()]);
-                }
+                let sides = Self::meeting_elements(contact, meeting).into_iter().zip(meeting.xi).zip([force, -force]);
+                points.extend(sides.map(|((element, xi), force)| MeetingPoint { element, xi, force }));
             });
         }
+        points.sort_by_key(|point| point.element);
+        points
     }
 }
 

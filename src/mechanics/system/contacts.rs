@@ -253,13 +253,13 @@ impl System {
     }
 
     /// Calls `take` with the position in element `number`, and with force (N) and moment (N m) on it in global axes, of
-    /// each point that touches something.
+    /// each point that touches a surface.
     pub fn each_touch_of(
         &self,
         number: usize,
         c: &Configuration,
         passage: &Passage,
-        mut take: impl FnMut(f64, [Vec3; 2]),
+        take: &mut dyn FnMut(f64, [Vec3; 2]),
     ) {
         for contact in self.contacts.iter().filter(|contact| contact.elements.contains(&number)) {
             let (element, mut cells) = (&self.mesh.elements[number], Cells::default());
@@ -269,7 +269,6 @@ impl System {
             });
             contact.each_grip(number, element, c, passage, &cells, |grip| take(grip.xi, grip.in_space()));
         }
-        self.each_meeting_of(number, c, passage, &mut take);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The whole system. Never changes in a run but for gravity, the size of loads, springs and dampers: what is tunable.
 
-mod beam_contacts;
+pub mod beam_contacts;
 mod breaks;
 pub mod builder;
 mod contacts;

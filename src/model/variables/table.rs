@@ -272,8 +272,7 @@ impl Table {
         let Moment { system, state, response, .. } = *moment;
         let configuration = snapshot.of(system, state);
         let passage = self.passage(state);
-        let joints =
-            JointLoads { system, state, c: &configuration, passage: &passage, multipliers: &response.multipliers };
+        let joints = JointLoads::new((system, state), (&configuration, &passage), &response.multipliers);
         let loads = SectionLoads { joints: &joints, acceleration: &response.acceleration };
         system.sensors.iter().map(|sensor| sensor.worst_fiber(&loads).unwrap_or_default()).collect()
     }
@@ -352,8 +351,7 @@ impl Table {
         let Moment { system, state, response, .. } = *moment;
         let configuration = snapshot.of(system, state);
         let passage = self.passage(state);
-        let loads =
-            JointLoads { system, state, c: &configuration, passage: &passage, multipliers: &response.multipliers };
+        let loads = JointLoads::new((system, state), (&configuration, &passage), &response.multipliers);
         values.clear();
         let mut seen = self.seen.iter().peekable();
         for (place, measure) in self.measures.iter().enumerate() {

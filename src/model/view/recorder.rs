@@ -125,7 +125,7 @@ impl Recording {
         let c = self.frames.of(system, state);
         look(&self.watched, system, state, &c, &mut seen);
         let passage = simulation.passage();
-        let loads = JointLoads { system, state, c: &c, passage: &passage, multipliers };
+        let loads = JointLoads::new((system, state), (&c, &passage), multipliers);
         let told = &mut seen[KINDS.len()..][..RESULTS.len()];
         if is_known {
             let loads = SectionLoads { joints: &loads, acceleration };
