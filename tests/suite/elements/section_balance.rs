@@ -40,7 +40,7 @@ fn imbalance(simulation: &Simulation) -> Imbalance {
     let mut snapshot = FrameCache::default();
     let c = snapshot.of(system, state);
     let passage = simulation.passage();
-    let joints = JointLoads { system, state, c: &c, passage: &passage, multipliers: &response.multipliers };
+    let joints = JointLoads::new((system, state), (&c, &passage), &response.multipliers);
     let loads = SectionLoads { joints: &joints, acceleration: &response.acceleration };
     // At rest, a strain of 1e-14 is round-off of places over the length of an element: 1e-7 of what strains by this.
     let is_static = simulation.document().simulation.analysis == Analysis::Static;

@@ -165,7 +165,7 @@ fn reactions_are_what_newton_and_euler_demand() {
         let mut snapshot = FrameCache::default();
         let c = snapshot.of(system, state);
         let passage = Passage::with_velocity(&state.velocity);
-        let loads = JointLoads { system, state, c: &c, passage: &passage, multipliers: &response.multipliers };
+        let loads = JointLoads::new((system, state), (&c, &passage), &response.multipliers);
         let center = vec3(&state.q, system.bodies[0].start);
         let own = system.bodies[0].start;
         let is_own = |marker: &Marker| matches!(marker, Marker::Body { start, .. } if *start == own);
@@ -271,8 +271,7 @@ fn every_kind_of_joint_acts_and_reacts() {
         let mut snapshot = FrameCache::default();
         let c = snapshot.of(&system, &state);
         let passage = Passage::with_velocity(&state.velocity);
-        let loads =
-            JointLoads { system: &system, state: &state, c: &c, passage: &passage, multipliers: &response.multipliers };
+        let loads = JointLoads::new((&system, &state), (&c, &passage), &response.multipliers);
         let (force, moment) = loads.reaction(&parts);
         let place = sides[1].pose(&c).place;
         for (number, sign) in [(0, -1.0), (1, 1.0)] {

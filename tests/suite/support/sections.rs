@@ -13,7 +13,7 @@ pub fn loaded_section(system: &System, state: &State, number: usize) -> (Section
     let mut snapshot = FrameCache::default();
     let c = snapshot.of(system, state);
     let passage = Passage::of(state);
-    let joints = JointLoads { system, state, c: &c, passage: &passage, multipliers: &state.multipliers };
+    let joints = JointLoads::new((system, state), (&c, &passage), &state.multipliers);
     let acceleration = vec![0.0; state.q.len()];
     let loads = SectionLoads { joints: &joints, acceleration: &acceleration };
     let section = system.sensors[number].section(&loads).expect("the sensor is on a beam");
