@@ -47,7 +47,7 @@ pub struct JointLoads<'a> {
 }
 
 impl<'a> JointLoads<'a> {
-    /// What acts on `system` in `state`, whose configuration `c` moves as `passage` says, with these multipliers.
+    /// All that acts on `system` in `state`, whose configuration `c` moves as `passage` says, with these multipliers.
     pub fn new(
         (system, state): (&'a System, &'a State),
         (c, passage): (&'a Configuration<'a>, &'a Passage<'a>),
