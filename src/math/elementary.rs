@@ -1,8 +1,8 @@
 //! Elementary functions that give the same bits on every computer.
 //!
 //! Those of the standard library are the C library's: its versions differ in the last digit, and glibc chooses among
-//! several by the processor. These are written in Rust, of operations that are exact or rounded as IEEE 754 says. Square
-//! roots and absolute values are such operations themselves, and stay methods.
+//! several by the processor. These are written in Rust, of operations that are exact or rounded as IEEE 754 says. So
+//! are square roots and absolute values, which stay methods.
 //!
 //! Angles are in rad.
 

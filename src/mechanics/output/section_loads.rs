@@ -103,8 +103,8 @@ impl SectionLoads<'_> {
         ElementBalance { loads: self, element, balance: own.balance(&c.beams, &self.instant(element), &inside), along }
     }
 
-    /// Calls `take` with the position in element `element`, and with force (N) and moment (N m) on it in global axes, of
-    /// each point that touches something.
+    /// Calls `take` with the position in element `element`, and with force (N) and moment (N m) on it in global axes,
+    /// of each point that touches something.
     fn each_touch(&self, element: usize, take: &mut dyn FnMut(f64, [Vec3; 2])) {
         let JointLoads { system, c, passage, .. } = *self.joints;
         system.each_touch_of(element, c, passage, take);
