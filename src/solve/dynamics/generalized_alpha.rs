@@ -28,7 +28,7 @@ use crate::mechanics::system::mass::MassAt;
 use crate::mechanics::system::{AT_BREAK, System};
 use crate::solve::linear::Singular;
 use crate::solve::newton::kkt::Kkt;
-use crate::solve::newton::{self, Convergence, Goal, Problem};
+use crate::solve::newton::{self, Convergence, Goal, Limit, Problem};
 use crate::solve::step::integrator::Integrator;
 use crate::solve::step::limits;
 use crate::solve::step::linearized::{Linearized, Span};
@@ -233,7 +233,7 @@ impl GeneralizedAlpha {
         let (weights, scratch) = (self.weights, &mut self.scratch);
         let mut problem = Step { system, state, weights, step, end, scratch, purpose };
         let mut iterations = state.statistics.iterations;
-        let control = (Goal::Correction(self.tolerance), limits::ITERATIONS);
+        let control = (Goal::Correction(self.tolerance), Limit::Fails(limits::ITERATIONS));
         let solved = newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, end, &mut iterations);
         state.statistics.iterations = iterations;
         solved

@@ -107,22 +107,32 @@ impl Goal {
     }
 }
 
-/// Iterates until `goal` is reached, at most `limit` times.
+/// How many iterations there may be, and what happens where they were not enough.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    /// The iteration fails.
+    Fails(usize),
+    /// The last correction is taken for the solution, whatever it leaves.
+    Ends(usize),
+}
+
+/// Iterates until `goal` is reached, or up to `limit`.
 ///
 /// # Errors
-/// The matrix is singular, or `limit` iterations were not enough; `iterations` counts on in any case.
+/// The matrix is singular, or the iterations were not enough; `iterations` counts on in any case.
 pub fn solve(
     system: &System,
     problem: &mut impl Problem,
     kkt: &mut Kkt,
     right: &mut [f64],
-    (goal, limit): (Goal, usize),
+    (goal, limit): (Goal, Limit),
     time: f64,
     iterations: &mut u64,
 ) -> Result<Convergence, Error> {
     let mut convergence = Convergence { iterations: 0, corrections: [0.0; MOST_ITERATIONS], refinements: 0 };
     let mut last = f64::INFINITY;
-    while convergence.iterations < limit {
+    let (Limit::Fails(most) | Limit::Ends(most)) = limit;
+    while convergence.iterations < most {
         let loads_time = problem.linearize(kkt, right);
         if right.iter().any(|value| !value.is_finite()) {
             *iterations += 1;
@@ -147,6 +157,9 @@ pub fn solve(
         if !last.is_finite() {
             break;
         }
+    }
+    if matches!(limit, Limit::Ends(_)) && last.is_finite() {
+        return Ok(convergence);
     }
     Err(not_converged(system, right, (convergence.iterations, last), time, goal.size()))
 }

@@ -15,7 +15,7 @@ const LEAST_RATIO: f64 = 1e-5;
 /// Slowest shrinking of corrections from which what remains is estimated.
 const SLOWEST: f64 = 0.5;
 /// How many times larger than promised a refinement may be.
-const SURPRISE: f64 = 10.0;
+pub const SURPRISE: f64 = 10.0;
 /// Refinements this small are round-off, which does not shrink: it is 1e-14 in shafts and winches, more in cables of
 /// kilometers.
 const LEAST_ROUND_OFF: f64 = 1e-12;

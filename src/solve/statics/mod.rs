@@ -28,7 +28,7 @@ use crate::mechanics::state::State;
 use crate::mechanics::system::System;
 use crate::mechanics::system::frame_cache::FrameCache;
 use crate::solve::newton::kkt::Kkt;
-use crate::solve::newton::{self, Convergence, Goal, MOST_ITERATIONS, Problem};
+use crate::solve::newton::{self, Convergence, Goal, Limit, MOST_ITERATIONS, Problem};
 use crate::solve::step::integrator::Integrator;
 use crate::solve::step::tally::Tally;
 
@@ -347,7 +347,7 @@ impl Statics {
         let given = (&self.current, &self.current_motion);
         let mut problem = Equilibrium { tangent, ..Equilibrium::near(system, state, time, given, &mut self.scratch) };
         let mut iterations = state.statistics.iterations;
-        let control = (Goal::Correction(self.tolerance), MOST_ITERATIONS);
+        let control = (Goal::Correction(self.tolerance), Limit::Fails(MOST_ITERATIONS));
         let solved =
             newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, time, &mut iterations);
         state.statistics.iterations = iterations;

@@ -1,5 +1,6 @@
 //! Time integration, natural modes, saved states, and the derivatives of a step.
 
+mod bounded_steps;
 pub mod breaks;
 pub mod chosen_steps;
 mod component_modes;

@@ -25,6 +25,7 @@ pub(super) const KEYS: &[Key] = &[
     Key::word("integrator", &words_of(&INTEGRATORS), "the time integration"),
     Key::number(&[&CONSERVED_RADIUS, &SPECTRAL_RADIUS]),
     Key::number(&[&TOLERANCE]),
+    Key::number(&[&ITERATIONS]),
     Key::flag("verify", "true: `ancf14 run` estimates the errors of its results"),
     Key::flag("mesh_error", "true: FMUs and programs in C find the mesh error of a motion"),
     Key::flag("correction", "true: results without their estimated time-step error"),
@@ -46,6 +47,8 @@ pub const FINEST_ACCURACY: f64 = 1e-9;
 pub const COARSEST_ACCURACY: f64 = 0.1;
 const OUTPUT_STEP: Rule = Rule::new("output_step", "time between two rows of results", "s").above(0.0);
 const TOLERANCE: Rule = Rule::new("tolerance", "bound of the last Newton increment", "").from(1e-14).to(1e-3);
+const ITERATIONS: Rule =
+    Rule::new("iterations", "most Newton iterations of a step, which takes what they leave", "").from(1.0).to(15.0);
 const CONSERVED_RADIUS: Rule =
     Rule::new("spectral_radius", "share of the fastest oscillations that a step keeps", "").from(0.6).to(1.0);
 const SPECTRAL_RADIUS: Rule =
@@ -83,6 +86,8 @@ pub struct SimulationSpec {
     pub output_step: Option<Number>,
     /// Bound of the last Newton increment.
     pub tolerance: Number,
+    /// Most iterations of a step, which takes what they leave; none: as many as it needs.
+    pub iterations: Option<usize>,
     /// Whether `run` estimates the errors of its results.
     pub verify: bool,
     /// Whether units and programs in C find the mesh error of a motion.
@@ -231,6 +236,7 @@ impl SimulationSpec {
         let integrator = integrator(&mut reader);
         let tolerance = reader.number_or(&TOLERANCE, USUAL_TOLERANCE);
         let is_estimated = matches!(integrator, IntegratorSpec::Conserving { .. });
+        let iterations = iterations(&mut reader, analysis == Analysis::Dynamic && is_estimated, step.is_some());
         let has_state = from_state.is_some();
         let [verify, mesh_error, correction] = errors(&mut reader, analysis, &follow, has_state, is_estimated);
         let totals = totals(&mut reader, analysis);
@@ -267,6 +273,7 @@ impl SimulationSpec {
             leaves_steps,
             output_step,
             tolerance,
+            iterations,
             verify,
             mesh_error,
             correction,
@@ -342,6 +349,18 @@ fn longest_step(reader: &mut Reader<'_, '_>, analysis: Analysis, has_step: bool)
         reader.refuse(LONGEST_STEP.key, message, "leave out one of the two");
     }
     reader.optional(&LONGEST_STEP)
+}
+
+/// Reads the bound on the iterations of steps that are given.
+fn iterations(reader: &mut Reader<'_, '_>, is_conserving: bool, has_step: bool) -> Option<usize> {
+    if !is_conserving {
+        let message = "`iterations` belongs to a motion with integrator = \"conserving\"";
+        reader.refuse(ITERATIONS.key, message, "remove it");
+    } else if !has_step {
+        let message = "`iterations` belongs to steps of a given length, and the solver chooses those of this motion";
+        reader.refuse(ITERATIONS.key, message, "give the length of the steps, `step`");
+    }
+    Some(reader.count_or(&ITERATIONS, 0)).filter(|most| *most > 0)
 }
 
 /// What a row of equilibria is followed by.

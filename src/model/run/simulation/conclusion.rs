@@ -57,6 +57,21 @@ impl Simulation {
         (!clauses.is_empty()).then(|| clauses.join("; "))
     }
 
+    /// Tells how many steps the bound on their iterations has cut off, and how much of a correction they have left.
+    fn warning_of_iterations(&self) -> Option<String> {
+        let (Runner { state, solver: Solver::Midpoint(midpoint), .. }, Some(most)) =
+            (&self.runner, self.document.simulation.iterations)
+        else {
+            return None;
+        };
+        let cut_off = midpoint.cut_off().filter(|own| own.steps > 0)?;
+        Some(format!(
+            "{} of {} steps ended after simulation.iterations = {most} with a correction above simulation.tolerance, \
+             the largest {:.1e}; take a shorter simulation.step, or more iterations",
+            cut_off.steps, state.statistics.steps, cut_off.largest
+        ))
+    }
+
     /// Warns at the end of the errors of these results only, as `tip.position` or a component of it: nobody reads the
     /// others.
     pub fn judge_only(&mut self, names: &[&str]) {
@@ -102,6 +117,7 @@ impl Simulation {
             let of_both = if of_steps.is_none() && of_mesh.is_none() { self.warning_of_both(setting) } else { None };
             self.warnings.extend(of_both.into_iter().chain(of_steps).chain(of_mesh).chain(of_stability));
         }
+        self.warnings.extend(self.warning_of_iterations());
         let (begin, end) = (self.document.drawn_at(self.runner.start), self.runner.state.instant());
         let Runner { system, state, .. } = &self.runner;
         self.warnings.extend(self.watch.conclude(system, state, &self.table, [begin, end]));

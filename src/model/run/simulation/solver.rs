@@ -41,9 +41,10 @@ impl Solver {
                 if simulation.correction && !midpoint.knows_error() {
                     return Err(Error::ErrorNotKnown);
                 }
-                Self::Midpoint(Box::new(match pacing {
-                    Some(pacing) => midpoint.paced(pacing)?,
-                    None => midpoint,
+                Self::Midpoint(Box::new(match (pacing, simulation.iterations) {
+                    (Some(pacing), _) => midpoint.paced(pacing)?,
+                    (None, Some(most)) => midpoint.bounded(most),
+                    (None, None) => midpoint,
                 }))
             }
             (Analysis::Dynamic, IntegratorSpec::GeneralizedAlpha { spectral_radius }) => {

@@ -9,15 +9,15 @@ use crate::mechanics::system::System;
 use crate::mechanics::system::work::StepEnergy;
 use crate::solve::linear::Singular;
 use crate::solve::newton::refinement::{self, Promise};
-use crate::solve::newton::{self, Convergence, Goal};
+use crate::solve::newton::{self, Convergence, Goal, Limit};
 use crate::solve::step::limits;
 use crate::solve::step::linearized::Span;
 
 /// What Newton may leave of a step before it is refined, as a share of the tolerance.
-const REMAINDER: f64 = 0.3;
+pub(super) const REMAINDER: f64 = 0.3;
 /// The same as a share of the tolerance times the first correction, which is of the size of the step's own error: with
 /// the default tolerance a hundred-thousandth of that.
-const REMAINDER_OF_FIRST: f64 = 1e3;
+pub(super) const REMAINDER_OF_FIRST: f64 = 1e3;
 /// With how many matrices a step is tried. The refinements of the last one need not shrink: what several matrices leave
 /// alike is round-off.
 const MOST_MATRICES: usize = 4;
@@ -36,6 +36,9 @@ impl Midpoint {
         span: Span,
         next: &mut State,
     ) -> Result<(Convergence, StepEnergy), Error> {
+        if let Some(bound) = self.bound {
+            return self.solve_within(bound, system, state, dissipation, span, next);
+        }
         let mut size = [REMAINDER, REMAINDER_OF_FIRST].map(|share| share * self.tolerance);
         let (mut expected, mut refinements) = (state.prediction.shrinking, refinement::MOST);
         let mut learned: Option<Convergence> = None;
@@ -44,7 +47,7 @@ impl Midpoint {
         for matrix in 1..=MOST_MATRICES {
             let mut problem =
                 Step { system, start: state.into(), dissipation, step: span.step, scratch: &mut self.scratch };
-            let control = (Goal::Remainder { size, expected, refinements }, limits::ITERATIONS);
+            let control = (Goal::Remainder { size, expected, refinements }, Limit::Fails(limits::ITERATIONS));
             let counted = &mut next.statistics.iterations;
             let mut convergence =
                 newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, span.end, counted)?;
@@ -120,7 +123,13 @@ impl Midpoint {
     /// Solves for one more correction of the converged step, into `self.right`, with the tangent of the last iteration
     /// and the residual that its forces leave: what remains after it is smaller by another ratio of corrections, and
     /// joints hold to round-off. Far less work than an iteration. Returns the size of that correction.
-    fn find_refinement(&mut self, system: &System, state: &State, dissipation: Dissipation, step: f64) -> f64 {
+    pub(super) fn find_refinement(
+        &mut self,
+        system: &System,
+        state: &State,
+        dissipation: Dissipation,
+        step: f64,
+    ) -> f64 {
         let mut problem = Step { system, start: state.into(), dissipation, step, scratch: &mut self.scratch };
         problem.balance(&mut self.right);
         match self.kkt.solve_roughly(&mut self.right) {

@@ -16,7 +16,7 @@ use crate::math::elementary::acos;
 use crate::mechanics::state::State;
 use crate::mechanics::state::path_point::PathPoint;
 use crate::mechanics::system::System;
-use crate::solve::newton::{self, Goal};
+use crate::solve::newton::{self, Goal, Limit};
 
 /// Largest turn of the tangent in a step, as its cosine: a step that turns further may have gone over to another path.
 const LEAST_COSINE: f64 = 0.9;
@@ -158,7 +158,7 @@ impl Statics {
             scratch,
         };
         let mut iterations = next.statistics.iterations;
-        let control = (Goal::Correction(self.tolerance), MOST_ITERATIONS);
+        let control = (Goal::Correction(self.tolerance), Limit::Fails(MOST_ITERATIONS));
         let time = from.parameter;
         let solved =
             newton::solve(system, &mut problem, &mut self.kkt, &mut self.right, control, time, &mut iterations);
