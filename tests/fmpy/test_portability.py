@@ -20,8 +20,8 @@ from elf_files import OWN_PARTS_OF_GLIBC, elf, needed, needs_an_old_c_library_on
 # expressions, the time-step error of all forces, free motions in equilibria and the floating-point environment of calls to 4.81 MB; tables of keys, surfaces,
 # scales of what relieves heat, friction that holds and transposed solutions to 4.91 MB; mass that follows the section, section forces by equilibrium
 # and automatic meshes to 5.01 MB; water with its waves and lines, contact with friction, and linear systems to 5.74 MB; air and beams that touch each other to
-# 5.81 MB; curves that are drawn tight, rings, boxes and cones, pressures, and critical times that are right to 5.89 MB.
-LIBRARY_BYTES = 5_900_000
+# 5.81 MB; curves that are drawn tight, rings, boxes and cones, pressures, and critical times that are right to 5.89 MB; elementary functions of its own to 5.93 MB.
+LIBRARY_BYTES = 5_950_000
 
 # Threads, and whatever has to be called when a thread ends: a library that was unloaded by then kills its host, and a key that is
 # taken at every load is not given back.
