@@ -20,8 +20,8 @@ fn curves(text: &str) -> (Curves, Vec<String>) {
     (curves, simulation.take_warnings())
 }
 
-/// With one iteration a step, steps take one each, and what they leave is second order: the refinement takes it off. A
-/// pendulum that takes 1.4 iterations a step as it likes moves as it does with them.
+/// With one iteration a step, steps take one each. A pendulum moves as it does with as many as it needs, to less than
+/// the error of its steps.
 #[test]
 fn steps_take_no_more_iterations_than_allowed() {
     let (free, _) = curves(&bounded(PENDULUM, 15));
