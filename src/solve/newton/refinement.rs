@@ -79,6 +79,9 @@ pub struct Promise {
 }
 
 impl Promise {
+    /// Every refinement is made that is a number.
+    pub const NONE: Self = Self { bound: f64::MAX / SURPRISE, round_off: 0.0, shrinks: false };
+
     /// Whether a refinement is as small as the corrections promised, at most `largest`; `before` is the size of the
     /// refinement before it. Where a correction has stretched a stiff part, the matrix has its tension. It is then
     /// stiffer than the system, and makes refinements small, however much is left, but they do not shrink.

@@ -57,18 +57,14 @@ impl Simulation {
         (!clauses.is_empty()).then(|| clauses.join("; "))
     }
 
-    /// Tells how many steps the bound on their iterations has cut off, and how much of a correction they have left.
+    /// Tells how many steps the bound on their iterations has cut off, and the largest correction that one ended with.
     fn warning_of_iterations(&self) -> Option<String> {
-        let (Runner { state, solver: Solver::Midpoint(midpoint), .. }, Some(most)) =
-            (&self.runner, self.document.simulation.iterations)
-        else {
-            return None;
-        };
-        let cut_off = midpoint.cut_off().filter(|own| own.steps > 0)?;
+        let Solver::Midpoint(midpoint) = &self.runner.solver else { return None };
+        let bound = midpoint.bound().filter(|bound| bound.cut_off > 0)?;
         Some(format!(
-            "{} of {} steps ended after simulation.iterations = {most} with a correction above simulation.tolerance, \
-             the largest {:.1e}; take a shorter simulation.step, or more iterations",
-            cut_off.steps, state.statistics.steps, cut_off.largest
+            "simulation.iterations = {} has cut off Newton's iteration in {} steps: the last correction was up to {:.1e}, \
+             above simulation.tolerance; take a shorter simulation.step, or more iterations",
+            bound.iterations, bound.cut_off, bound.largest
         ))
     }
 

@@ -15,7 +15,7 @@ mod scratch;
 mod solution;
 mod time_error;
 
-use self::bounded::CutOff;
+use self::bounded::Bound;
 use self::scratch::{Scratch, Start, configurations, time_step};
 use self::time_error::{Estimator, Taken};
 use super::start::Dynamics;
@@ -59,8 +59,7 @@ pub struct Midpoint {
     tally: Tally,
     tolerance: f64,
     /// Most iterations of a step; none: as many as it needs.
-    bound: Option<usize>,
-    cut_off: CutOff,
+    bound: Option<Bound>,
     kkt: Kkt,
     right: Vec<f64>,
     projection: Projection,
@@ -87,7 +86,6 @@ impl Midpoint {
             tally: Tally::default(),
             tolerance,
             bound: None,
-            cut_off: CutOff::default(),
             right: vec![0.0; coordinates + conditions],
             projection: Projection::new(system, &mut kkt),
             kkt,
@@ -131,7 +129,7 @@ impl Dynamics for Midpoint {
 
     /// The first step knows no step before it: the dissipation counts all of its change as unpredicted.
     fn begin(&mut self, _system: &System, state: &mut State) -> Result<(), Error> {
-        (self.tally, self.cut_off) = (Tally::default(), CutOff::default());
+        (self.tally, self.bound) = (Tally::default(), self.bound.map(Bound::begin));
         state.strain_rates.fill(0.0);
         rate_leads::clear(&mut state.lists);
         state.velocity_lead.clear();
